@@ -18,7 +18,7 @@ int main() {
         cda::box_cell(lattice.round({0, 0, -10}), lattice.round({40, 40, 0}), lattice), lattice);
     const toolpath::Tool tool = toolpath::flat_end_mill(6.0, 20.0);
     toolpath::Cutter cutter(tool, lattice, {});
-    exporter::Provenance lines{{{}}, program.name};
+    mesh::Provenance lines{{{}}, program.name};
 
     gcode::interpret(program, {}, [&](const gcode::Motion& motion) {
         if (!toolpath::has_known_start(motion)) return;

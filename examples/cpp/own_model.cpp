@@ -31,13 +31,13 @@ public:
     }
     double subtract(const cda::Cell& cell) override {
         const double before = volume();
-        for (cda::Vec3& top : tops_)
+        for (Vec3& top : tops_)
             top.z = std::min(top.z, std::max(box_.min.z, lowest(cell, top)));
         return before - volume();
     }
     double volume() const override {
         double sum = 0.0;
-        for (const cda::Vec3& top : tops_)
+        for (const Vec3& top : tops_)
             sum += top.z - box_.min.z;
         return sum * kStep * kStep;
     }
@@ -45,7 +45,7 @@ public:
         return std::make_unique<HeightMap>(*this);
     }
     // Queries that this model does not answer.
-    bool contains(cda::Vec3) const override { throw cda::CannotAnswer(name(), "points"); }
+    bool contains(Vec3) const override { throw cda::CannotAnswer(name(), "points"); }
     cda::RemovalByMotion account() const override { throw cda::CannotAnswer(name(), "accounts"); }
     void render(cda::FacetCanvas&) const override { throw cda::CannotAnswer(name(), "facets"); }
     cda::Boundary boundary() const override { throw cda::CannotAnswer(name(), "its surface"); }
@@ -55,7 +55,7 @@ private:
 
     // Returns the lower end of the vertical line through `p` within `cell`; p.z if the line misses
     // it.
-    double lowest(const cda::Cell& cell, cda::Vec3 p) const {
+    double lowest(const cda::Cell& cell, Vec3 p) const {
         double low = -1e9, high = 1e9;
         for (const cda::Plane& plane : cell.planes) {
             const double rest = static_cast<double>(plane.d) * lattice_.unit_mm - plane.nx * p.x -
@@ -68,8 +68,8 @@ private:
     }
 
     cda::Lattice lattice_;
-    cda::Box box_;
-    std::vector<cda::Vec3> tops_;  // of the columns
+    Box box_;
+    std::vector<Vec3> tops_;  // of the columns
 };
 
 }  // namespace

@@ -3,7 +3,8 @@
 // Simulates a program, and writes the part in a format that ncsim lacks: Wavefront OBJ, with a
 // group for each line of the program.
 //     own_writer part.nc > part.obj
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/simulation/simulate.h"
 
 #include <exception>
@@ -22,7 +23,7 @@ int main(int argc, char** argv) {
         plan.job = setup::read_job(options, inputs);
         plan.keep_boundary = true;
         const simulation::Simulation part = simulation::simulate(plan);
-        const cda::TriangleMesh mesh = cda::triangulate(*part.boundary);
+        const TriangleMesh mesh = cda::triangulate(*part.boundary);
 
         std::map<std::uint32_t, std::vector<std::size_t>> triangles_of_line;  // 0: stock
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -30,7 +31,7 @@ int main(int argc, char** argv) {
             triangles_of_line[part.provenance.of(face.origin).nc_line].push_back(i);
         }
         std::cout.precision(17);  // every double comes back as it is
-        for (const cda::Vec3& corner : mesh.vertices)
+        for (const Vec3& corner : mesh.vertices)
             std::cout << "v " << corner.x << ' ' << corner.y << ' ' << corner.z << '\n';
         for (const auto& [line, triangles] : triangles_of_line) {
             std::cout << "g line_" << line << '\n';

@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
             if (const auto* hole = std::get_if<brep::Cylinder>(&face.surface.form))
                 std::cout << (face.surface.is_hollow ? ", bore D" : ", boss D")
                           << 2.0 * hole->radius;
-            const exporter::Provenance::Entry by = solid.provenance.of(face.origin);
+            const mesh::Provenance::Entry by = solid.provenance.of(face.origin);
             if (by.is_stock()) {
                 std::cout << ", stock\n";
             } else {

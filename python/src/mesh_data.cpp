@@ -3,6 +3,7 @@
 // Makes the mesh of a part, and its NumPy arrays.
 #include "mesh_data.h"
 
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/stl.h"
 
 #include "arrays.h"
@@ -21,7 +22,7 @@ namespace {
 using SharedMesh = std::shared_ptr<const MeshData>;
 
 // The arrays refer to the coordinates and indices as rows of three.
-static_assert(sizeof(cda::Vec3) == 3 * sizeof(double));
+static_assert(sizeof(Vec3) == 3 * sizeof(double));
 static_assert(sizeof(std::array<std::uint32_t, 3>) == 3 * sizeof(std::uint32_t));
 
 py::array vertices_of(const SharedMesh& data) {
@@ -46,14 +47,14 @@ void write_stl(const SharedMesh& data, const std::string& path) {
 
 }  // namespace
 
-MeshData mesh_data(const cda::Boundary& boundary, const exporter::Provenance& provenance,
+MeshData mesh_data(const cda::Boundary& boundary, const mesh::Provenance& provenance,
                    unsigned threads) {
     MeshData data;
     data.mesh = cda::triangulate(boundary, threads);
     data.lines.reserve(data.mesh.triangles.size());
     data.tools.reserve(data.mesh.triangles.size());
     for (const std::uint32_t face : data.mesh.face) {
-        const exporter::Provenance::Entry entry = provenance.of(boundary.faces[face].origin);
+        const mesh::Provenance::Entry entry = provenance.of(boundary.faces[face].origin);
         data.lines.push_back(entry.nc_line);
         data.tools.push_back(entry.tool);
     }

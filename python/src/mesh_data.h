@@ -3,9 +3,9 @@
 // Surface of a part as triangles, with the motion that cut each of them.
 #pragma once
 
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/mesh.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 
 #include <pybind11/pybind11.h>
 
@@ -17,7 +17,7 @@ namespace ncsim::python {
 
 /// Triangles of a part, mm. All lists have an element for each triangle of `mesh`.
 struct MeshData {
-    cda::TriangleMesh mesh;
+    TriangleMesh mesh;
     std::vector<std::uint32_t> lines;  ///< Line of the program that cut the triangle; 0: the stock.
     std::vector<std::uint32_t> tools;  ///< Number of the tool; 0: the stock.
     double volume = 0.0, area = 0.0;   ///< mm³, mm²
@@ -27,7 +27,7 @@ struct MeshData {
 };
 
 /// Triangulates `boundary`.
-MeshData mesh_data(const cda::Boundary& boundary, const exporter::Provenance& provenance,
+MeshData mesh_data(const cda::Boundary& boundary, const mesh::Provenance& provenance,
                    unsigned threads);
 
 /// Adds the class Mesh to `module`.

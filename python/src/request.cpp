@@ -69,14 +69,14 @@ public:
         if (value == usual || (value >= least && value <= most)) return value;
         throw UsageFailure(fmt::format("{}: expected {} to {}, not {}", name, least, most, value));
     }
-    std::optional<cda::Vec3> point(const char* name) {
+    std::optional<Vec3> point(const char* name) {
         const auto value = take<std::array<double, 3>>(name, "three numbers");
         if (!value) return std::nullopt;
         for (const double coordinate : *value) {
             if (!std::isfinite(coordinate))
                 throw UsageFailure(fmt::format("{}: expected finite numbers", name));
         }
-        return cda::Vec3{(*value)[0], (*value)[1], (*value)[2]};
+        return Vec3{(*value)[0], (*value)[1], (*value)[2]};
     }
     // Throws for an argument that was not taken.
     void finish() const {

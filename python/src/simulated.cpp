@@ -157,7 +157,7 @@ namespace {
 
 using SharedSimulation = std::shared_ptr<Simulated>;
 
-py::object box_of(const cda::Box& box) {
+py::object box_of(const Box& box) {
     if (box.is_empty()) return py::none();
     return py::make_tuple(py::make_tuple(box.min.x, box.min.y, box.min.z),
                           py::make_tuple(box.max.x, box.max.y, box.max.z));

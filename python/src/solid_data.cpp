@@ -26,7 +26,7 @@ namespace py = pybind11;
 
 namespace {
 
-py::tuple tuple_of(cda::Vec3 v) {
+py::tuple tuple_of(Vec3 v) {
     return py::make_tuple(v.x, v.y, v.z);
 }
 

@@ -3,7 +3,7 @@
 // Convex hulls of dual points by CGAL, as bodies with volume, corners and facets.
 #include "cgal_intersection.h"
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <CGAL/Convex_hull_3/dual/halfspace_intersection_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -29,13 +29,13 @@ CgalBody intersection(const std::vector<cda::Plane>& planes) {
     const auto corner = [](const auto& halfedge) {
         const auto& p = halfedge->vertex()->point();
         // Only some digits of a lazy number are known before exact().
-        return cda::Vec3{CGAL::to_double(CGAL::exact(p.x())), CGAL::to_double(CGAL::exact(p.y())),
-                         CGAL::to_double(CGAL::exact(p.z()))};
+        return Vec3{CGAL::to_double(CGAL::exact(p.x())), CGAL::to_double(CGAL::exact(p.y())),
+                    CGAL::to_double(CGAL::exact(p.z()))};
     };
-    const cda::Vec3 centre = corner(body.halfedges_begin());
+    const Vec3 centre = corner(body.halfedges_begin());
     for (auto f = body.facets_begin(); f != body.facets_end(); ++f) {
         const auto first = f->halfedge();
-        const cda::Vec3 a = corner(first) - centre;
+        const Vec3 a = corner(first) - centre;
         for (auto h = first->next(); h->next() != first; h = h->next()) {
             result.volume += dot(a, cross(corner(h) - centre, corner(h->next()) - centre)) / 6.0;
         }

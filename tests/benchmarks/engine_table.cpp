@@ -59,7 +59,7 @@ std::uint64_t for_each_hull(const gcode::SourceFile& program, const cda::Lattice
 void measure(const std::string& name, std::uint32_t threads) {
     const gcode::SourceFile program{name, bench::program_named(name)};
     const auto notes = toolpath::read_notes(program);
-    const cda::Box box = notes.stock->box;
+    const Box box = notes.stock->box;
     const cda::Lattice lattice = cda::Lattice::for_stock(box);
     const toolpath::Tool tool = toolpath::make_tool(notes.tools.at(0).spec, 45.0);
 

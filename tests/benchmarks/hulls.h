@@ -3,10 +3,10 @@
 // Hulls that a program removes from its stock, as passed to the exact models.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/lattice.h"
 #include "ncsim/cda/polytope.h"
-#include "ncsim/cda/vec.h"
 
 #include <cstddef>
 #include <string>
@@ -16,7 +16,7 @@ namespace ncsim::bench {
 
 struct Hulls {
     std::string name;
-    cda::Box stock;  ///< mm
+    Box stock;  ///< mm
     cda::Lattice lattice;
     std::vector<cda::Cell> cells;
 

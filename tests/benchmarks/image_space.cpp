@@ -4,9 +4,10 @@
 // program from its stock in the depth buffer, for a single picture. The table also has the cost of
 // the exact boundary and its picture. Depth and normal of every pixel are compared with the
 // boundary, drawn by the same OpenGL. Mesa renders on the processor, with a single thread.
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/mesh.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
 
@@ -38,7 +39,6 @@
 namespace {
 
 using namespace ncsim;
-using cda::Vec3;
 
 constexpr int kWidth = 1024, kHeight = 768;
 constexpr unsigned kSeconds = 120;
@@ -137,7 +137,7 @@ public:
         : Primitive(operation, 1) {
         // The walls of a subtracted body are seen from inside.
         const double sign = operation == OpenCSG::Subtraction ? -1.0 : 1.0;
-        cda::Box box;
+        Box box;
         std::vector<Vec3> corners;
         for (const cda::ExactPoint& v : body.vertices()) {
             corners.push_back(screen(lattice.to_mm(v.approx)));
@@ -193,7 +193,7 @@ Picture read_picture() {
 }
 
 Picture picture_of(const cda::Boundary& boundary, const Screen& screen) {
-    const cda::TriangleMesh mesh = cda::triangulate(boundary);
+    const TriangleMesh mesh = cda::triangulate(boundary);
     Triangles triangles;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto& [a, b, c] = mesh.triangles[t];
@@ -331,7 +331,7 @@ void draw_boundary(const bench::Hulls& hulls, const cda::Boundary& boundary, dou
     options.height = kHeight;
     options.camera = camera;
     options.samples = 1;
-    exporter::Provenance provenance;
+    mesh::Provenance provenance;
     provenance.entries = {{0, 0}, {1, 1}};
     double seconds = 0.0;
     for (int turn = 0; turn < 2; ++turn) {

@@ -157,7 +157,7 @@ void print_nef_row(const Program& program, double exact_volume) {
     simulation::Plan plan = plan_for(program, {"nef", "cda"});
     const double start = cpu_seconds();
     const simulation::Survey survey = simulation::survey(plan);
-    const cda::Box box = survey.stock->box;
+    const Box box = survey.stock->box;
     const cda::Lattice lattice = cda::Lattice::for_stock(box);
     toolpath::ToolAccuracy accuracy;
     accuracy.tolerance_mm = plan.tool_tolerance;

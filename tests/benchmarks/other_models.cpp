@@ -61,7 +61,6 @@
 namespace {
 
 using namespace ncsim;
-using cda::Vec3;
 
 using bench::cpu_seconds;
 
@@ -74,9 +73,9 @@ using Body = std::vector<Halfspace>;
 
 struct Work {
     std::string name;
-    cda::Box stock;
+    Box stock;
     std::vector<Body> bodies;
-    std::vector<cda::Box> bounds;
+    std::vector<Box> bounds;
     double exact_volume = 0.0;
 };
 
@@ -139,7 +138,7 @@ std::vector<Polygon> polygons_of(const Body& body) {
     return faces;
 }
 
-Body box_body(const cda::Box& box) {
+Body box_body(const Box& box) {
     return {{{1, 0, 0}, box.max.x},   {{-1, 0, 0}, -box.min.x}, {{0, 1, 0}, box.max.y},
             {{0, -1, 0}, -box.min.y}, {{0, 0, 1}, box.max.z},   {{0, 0, -1}, -box.min.z}};
 }
@@ -214,7 +213,7 @@ struct Node {
 
 class Bsp {
 public:
-    explicit Bsp(const cda::Box& stock) : stock_(box_body(stock)) {}
+    explicit Bsp(const Box& stock) : stock_(box_body(stock)) {}
     std::size_t nodes = 1;
 
     void subtract(const Body& body) {
@@ -300,7 +299,7 @@ Grid::Ptr voxel_part(const Work& work, double size) {
     const auto background = static_cast<float>(3.0 * size);
     // The distance to the planes of a body is the distance to the surface, except outside near
     // edges.
-    const auto grid_of = [&](const Body& body, const cda::Box& box) {
+    const auto grid_of = [&](const Body& body, const Box& box) {
         Grid::Ptr grid = Grid::create(background);
         grid->setTransform(transform);
         grid->setGridClass(openvdb::GRID_LEVEL_SET);
@@ -330,7 +329,7 @@ Grid::Ptr voxel_part(const Work& work, double size) {
     Grid::Ptr part = grid_of(box_body(work.stock), work.stock);
     for (std::size_t i = 0; i < work.bodies.size(); ++i) {
         // Omits the part of the tool that is far from the stock.
-        cda::Box box = work.bounds[i];
+        Box box = work.bounds[i];
         for (int axis = 0; axis < 3; ++axis) {
             box.min[axis] = std::max(box.min[axis], work.stock.min[axis] - 3 * size);
             box.max[axis] = std::min(box.max[axis], work.stock.max[axis] + 3 * size);

@@ -101,7 +101,7 @@ std::optional<ConvexPolytope> moved(const ConvexPolytope& body, cda::LatticePoin
         plane.d += plane.nx * by.x + plane.ny * by.y + plane.nz * by.z;
         cell.planes.push_back(cda::canonical(plane.nx, plane.ny, plane.nz, plane.d));
     }
-    const cda::Vec3 mm = lattice.to_mm(by);
+    const Vec3 mm = lattice.to_mm(by);
     cell.bounds = {lattice.to_mm(body.bounds().min) + mm, lattice.to_mm(body.bounds().max) + mm};
     return ConvexPolytope::of(cell, lattice);
 }
@@ -184,7 +184,7 @@ private:
             return;
         }
         const Answer expected = answer_of(pair.common);
-        const cda::Vec3 size = pair.a.bounds().max - pair.a.bounds().min;
+        const Vec3 size = pair.a.bounds().max - pair.a.bounds().min;
         // Corners are rounded to doubles.
         const double rounding = 1e-9 * expected.volume + 1e-12 * size.x * size.y * size.z;
         const bool is_right =

@@ -20,7 +20,7 @@ void write_hulls(const Hulls& hulls) {
     for (const cda::ConvexPolytope& body : bodies_of(hulls, Within::Lattice)) {
         const char* between = "";
         for (const cda::ExactPoint& corner : body.vertices()) {
-            const cda::Vec3 p = hulls.lattice.to_mm(corner.approx);
+            const Vec3 p = hulls.lattice.to_mm(corner.approx);
             fmt::print("{}{} {} {}", between, p.x, p.y, p.z);
             between = " ";
         }

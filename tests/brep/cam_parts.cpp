@@ -3,7 +3,7 @@
 // Random operations of CAM programs, and the rotation of a program.
 #include "brep/cam_parts.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "brep/random_program.h"
 
@@ -226,7 +226,7 @@ private:
 // Rotates `program` in the XY plane about the middle of the block.
 // Requires: each block has X with Y and I with J, or neither.
 std::string turned(const std::string& program, double degrees) {
-    const auto t = trig::sin_cos(degrees);
+    const auto t = sin_cos(degrees);
     std::string text;
     std::istringstream lines(program);
     for (std::string line; std::getline(lines, line);) {

@@ -3,7 +3,7 @@
 // Random numbers and directions, the same in each run.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <cstdint>
 #include <random>
@@ -17,8 +17,8 @@ public:
     double from(double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random_);
     }
-    cda::Vec3 direction() { return cda::normalized({from(-1, 1), from(-1, 1), from(-1, 1)}); }
-    cda::Vec3 point() { return {from(-9, 9), from(-9, 9), from(-9, 9)}; }
+    Vec3 direction() { return normalized({from(-1, 1), from(-1, 1), from(-1, 1)}); }
+    Vec3 point() { return {from(-9, 9), from(-9, 9), from(-9, 9)}; }
 
 private:
     std::mt19937_64 random_;

@@ -324,14 +324,14 @@ TEST(Envelope, AreasAreKnownWhereItFolds) {
                     const Vec3 from = track.at(double(i) / kSteps);
                     const Vec3 to = track.at(double(i + 1) / kSteps);
                     of_edges = of_edges + (use.is_forward ? 0.5 : -0.5) *
-                                              cda::cross(from - part.vertices[0], to - from);
+                                              cross(from - part.vertices[0], to - from);
                 }
             }
         }
         const double here = three(face, {});
         const Vec3 area{here - three(face, {1, 0, 0}), here - three(face, {0, 1, 0}),
                         here - three(face, {0, 0, 1})};
-        EXPECT_LT(cda::norm(area - of_edges), 2e-3);
+        EXPECT_LT(norm(area - of_edges), 2e-3);
     }
     EXPECT_EQ(envelopes, 6);
 }

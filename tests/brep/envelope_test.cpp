@@ -21,10 +21,6 @@
 namespace ncsim::brep {
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
 using test::Draw;
 
 // Returns a motion of the tip along a bent line while the axis rotates about a fixed direction;

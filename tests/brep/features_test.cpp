@@ -3,7 +3,8 @@
 // Features of small parts, with the sizes that a calliper and a depth gauge measure.
 #include "ncsim/brep/features.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "brep/made_part.h"
 
@@ -25,8 +26,8 @@ using test::Made;
 constexpr double kExact = 1e-9;
 
 Features measured(const Made& made) {
-    const cda::TriangleMesh mesh = cda::triangulate(made.boundary);
-    return features_of(made.solid.part, cda::TriangleTree(mesh));
+    const TriangleMesh mesh = cda::triangulate(made.boundary);
+    return features_of(made.solid.part, TriangleTree(mesh));
 }
 
 Features measured(const std::string& name, const std::string& moves, bool is_bar = false) {
@@ -179,7 +180,7 @@ TEST(Features, AnOpenSlotHasItsWidth) {
     const auto slot = std::ranges::find_if(f.distances, &Distance::is_void);
     // The distance is measured across the path, from wall to wall.
     const Vec3 across = (1.0 / slot->mm) * (slot->to - slot->from);
-    EXPECT_NEAR(cda::dot(across, cda::normalized({100, 70, 0})), 0.0, kExact);
+    EXPECT_NEAR(dot(across, normalized({100, 70, 0})), 0.0, kExact);
     for (const Floor& floor : f.floors)
         EXPECT_FALSE(floor.is_closed);
 }

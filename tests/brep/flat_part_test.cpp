@@ -26,9 +26,9 @@ Facets pitted_block(double to_the_right) {
     const auto face = [&](std::vector<std::vector<std::uint32_t>> loops) {
         cda::BoundaryFace made;
         const Vec3 a = block.vertices[loops[0][0]];
-        made.normal = cda::normalized(
-            cda::cross(block.vertices[loops[0][1]] - a, block.vertices[loops[0][2]] - a));
-        made.offset = cda::dot(made.normal, a);
+        made.normal =
+            normalized(cross(block.vertices[loops[0][1]] - a, block.vertices[loops[0][2]] - a));
+        made.offset = dot(made.normal, a);
         made.loops = std::move(loops);
         block.faces.push_back(made);
     };

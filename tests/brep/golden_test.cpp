@@ -395,7 +395,7 @@ TEST(Recognise, KnowsTheMiddlesOfDomesAndExtrusions) {
     };
     const double dip = 1080.0 + 330.0 * kPi;
     const Vec3 of_dip = left(dip, {35, 30, -(4680.0 + 450.0 * kPi) / dip});
-    EXPECT_NEAR(cda::norm(middle_of("dip") - of_dip), 0.0, 1e-9);
+    EXPECT_NEAR(norm(middle_of("dip") - of_dip), 0.0, 1e-9);
     // Integrals over the width of 10 mm and over the circle at the end: of the depth, of half its
     // square, and of the depth times the path from the start, less the lead of the front over the
     // middle.
@@ -404,7 +404,7 @@ TEST(Recognise, KnowsTheMiddlesOfDomesAndExtrusions) {
     const double ways =
         10.0 * 0.1 * 64000.0 / 3.0 - 0.1 * 800.0 * 12.5 * kPi + 4.0 * 40.0 * 25.0 * kPi;
     const Vec3 of_ramp = left(ramp, {20.0 + ways / ramp, 30, -squares / ramp});
-    EXPECT_NEAR(cda::norm(middle_of("ramp") - of_ramp), 0.0, 1e-9);
+    EXPECT_NEAR(norm(middle_of("ramp") - of_ramp), 0.0, 1e-9);
 }
 
 // A bore from the side of a bar has a closed spline as its mouth, with steps of equal length.
@@ -424,8 +424,8 @@ TEST(Recognise, SplinesThatCloseHaveStepsAsLongAllAround) {
         const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
         std::vector<double> steps;
         for (std::size_t i = 0; i + 1 < spline->knots.size(); ++i)
-            steps.push_back(cda::norm(track.at(spline->knots[i + 1] / spline->knots.back()) -
-                                      track.at(spline->knots[i] / spline->knots.back())));
+            steps.push_back(norm(track.at(spline->knots[i + 1] / spline->knots.back()) -
+                                 track.at(spline->knots[i] / spline->knots.back())));
         const auto [shortest, longest] = std::ranges::minmax(steps);
         EXPECT_GT(shortest, 0.1 * longest);
     }
@@ -463,7 +463,7 @@ TEST(Recognise, ArcsEndInTheirCorners) {
         if (!circle) continue;
         for (const std::uint32_t v : {edge.from, edge.to}) {
             const Vec3 out = made.solid.part.vertices[v] - circle->centre;
-            EXPECT_NEAR(cda::norm(out), circle->radius, 2e-7);
+            EXPECT_NEAR(norm(out), circle->radius, 2e-7);
         }
     }
 }

@@ -5,7 +5,7 @@
 
 #include "ncsim/brep/recognise.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 #include "ncsim/setup/job.h"
 
 #include <string>
@@ -14,7 +14,7 @@ namespace ncsim::brep::test {
 
 struct Made {
     Recognised solid;
-    exporter::Provenance provenance;
+    mesh::Provenance provenance;
     std::string step;  // the solid as a STEP file
     cda::Boundary boundary;
 };

@@ -71,7 +71,7 @@ TEST(Mass, SicklesWithGapsAreNarrow) {
     part.edges = {{0, 1, Circle{{23, 40, 0}, up, 2.646782171349927}}, {1, 0, Line{}}};
     Face sickle;
     sickle.surface.form = Sphere{centre, 4.0};
-    sickle.frame = {centre, cda::normalized(Vec3{-2, -1, 0}), up};
+    sickle.frame = {centre, normalized(Vec3{-2, -1, 0}), up};
     sickle.loops = {{{0, true}, {1, true}}};
     EXPECT_LT(std::abs(measure(part, sickle, centre).area), 1e-4);
     EXPECT_LT(std::abs(measure(part, sickle, {0, 0, 0}).volume), 1e-3);
@@ -88,7 +88,7 @@ TEST(Mass, IsAsInABookOfTables) {
         if (found == paper.end()) continue;
         ++known;
         EXPECT_NEAR(mass.area, found->second.area, 1e-10 * mass.area);
-        EXPECT_NEAR(cda::norm(mass.centroid - found->second.centroid), 0.0, 1e-10);
+        EXPECT_NEAR(norm(mass.centroid - found->second.centroid), 0.0, 1e-10);
     }
     EXPECT_EQ(known, paper.size());
 }

@@ -130,10 +130,10 @@ TEST(Order, CirclesThatOughtToTouchEndWhereTheyDo) {
     for (const Edge& edge : part.edges) {
         const Vec3 from = part.vertices[edge.from], to = part.vertices[edge.to];
         const Track track(edge.curve, from, to);
-        EXPECT_LT(cda::norm(track.at(0.0) - from), 1e-6);
-        EXPECT_LT(cda::norm(track.at(1.0) - to), 1e-6);
+        EXPECT_LT(norm(track.at(0.0) - from), 1e-6);
+        EXPECT_LT(norm(track.at(1.0) - to), 1e-6);
         for (const Vec3 p : {from, to}) {
-            if (cda::norm(p - Vec3{0, 0, -2}) < 1e-6) ++touching;
+            if (norm(p - Vec3{0, 0, -2}) < 1e-6) ++touching;
         }
     }
     EXPECT_GE(touching, 4);

@@ -23,9 +23,6 @@
 namespace ncsim::brep {
 namespace {
 
-using cda::cross;
-using cda::norm;
-
 // Calls `visit` for each edge of each face.
 template <class Visit>
 void for_edges_of_faces(const Part& part, const Visit& visit) {
@@ -38,25 +35,19 @@ void for_edges_of_faces(const Part& part, const Visit& visit) {
 }
 
 // Returns the value of the curve at a share of piece `i`, by de Casteljau.
-std::array<double, 2> at(const ParameterCurve& curve, std::size_t i, double s) {
+Vec2 at(const ParameterCurve& curve, std::size_t i, double s) {
     const auto& k = curve.knots;
     const auto place = [&](std::size_t knot) {
         if (knot == 0) return curve.points.front();
         if (knot + 1 == k.size()) return curve.points.back();
         const double before = k[knot] - k[knot - 1], after = k[knot + 1] - k[knot];
-        std::array<double, 2> p{};
-        for (std::size_t c = 0; c < 2; ++c)
-            p[c] = (after * curve.points[2 * knot][c] + before * curve.points[2 * knot + 1][c]) /
-                   (before + after);
-        return p;
+        return 1.0 / (before + after) *
+               (after * curve.points[2 * knot] + before * curve.points[2 * knot + 1]);
     };
-    std::vector<std::array<double, 2>> row{place(i), curve.points[2 * i + 1],
-                                           curve.points[2 * i + 2], place(i + 1)};
+    std::vector<Vec2> row{place(i), curve.points[2 * i + 1], curve.points[2 * i + 2], place(i + 1)};
     for (std::size_t n = row.size(); n > 1; --n) {
-        for (std::size_t j = 0; j + 1 < n; ++j) {
-            for (std::size_t c = 0; c < 2; ++c)
-                row[j][c] = (1.0 - s) * row[j][c] + s * row[j + 1][c];
-        }
+        for (std::size_t j = 0; j + 1 < n; ++j)
+            row[j] = (1.0 - s) * row[j] + s * row[j + 1];
     }
     return row[0];
 }

@@ -268,8 +268,8 @@ TEST(Check, LetsArcsThatEndInTheirCornerTouchThere) {
         const Vec3 corner{10.2, 0, 0}, other{4.2, 0, 0};
         const auto ending = circle_through(plunge, corner, other);
         ASSERT_TRUE(ending.has_value());
-        EXPECT_NEAR(cda::norm(corner - ending->centre), ending->radius, 1e-14);
-        EXPECT_NEAR(cda::norm(other - ending->centre), ending->radius, 1e-14);
+        EXPECT_NEAR(norm(corner - ending->centre), ending->radius, 1e-14);
+        EXPECT_NEAR(norm(other - ending->centre), ending->radius, 1e-14);
         EXPECT_LT(angle_between(plunge, *ending, corner), 1e-15);
     }
     EXPECT_FALSE(circle_through({{7.2001, 0, 0}, kUp, 3.0}, {10.2, 0, 0}, {4.2, 0, 0}));
@@ -356,7 +356,7 @@ Part post(const std::vector<std::pair<double, double>>& corners) {
     for (std::uint32_t i = 0; i < n; ++i) {
         const std::uint32_t j = (i + 1) % n;
         const Vec3 along = walls.vertices[j] - walls.vertices[i];
-        walls.faces.push_back({cda::normalized(cda::cross(along, {0, 0, 1})),
+        walls.faces.push_back({normalized(cross(along, {0, 0, 1})),
                                0.0,
                                cda::kStockOrigin,
                                0,
@@ -376,8 +376,8 @@ double shortest_edge(const Part& part) {
         for (const Loop& loop : face.loops) {
             for (const EdgeUse& use : loop) {
                 const Edge& edge = part.edges[use.edge];
-                shortest = std::min(shortest,
-                                    cda::norm(part.vertices[edge.to] - part.vertices[edge.from]));
+                shortest =
+                    std::min(shortest, norm(part.vertices[edge.to] - part.vertices[edge.from]));
             }
         }
     }
@@ -508,8 +508,7 @@ TEST(Apart, ClosesPitsTooNarrowForReaders) {
     for (const auto& loop : corners) {
         const Vec3 a = block.vertices[loop[0]], b = block.vertices[loop[1]];
         const Vec3 c = block.vertices[loop[2]];
-        block.faces.push_back(
-            {cda::normalized(cda::cross(b - a, c - a)), 0.0, cda::kStockOrigin, 0, {loop}});
+        block.faces.push_back({normalized(cross(b - a, c - a)), 0.0, cda::kStockOrigin, 0, {loop}});
     }
     Part part = faceted(block, std::vector<std::vector<cda::Origin>>(9, {cda::kStockOrigin}));
     EXPECT_NE(text_of(check_part(part, 1e-4)), "");
@@ -529,8 +528,7 @@ TEST(Apart, KeepsCornersThatHoldTheSurfaceTogether) {
                                                           {1, 2, 3}, {1, 4, 2}, {1, 3, 4}};
     for (const auto& loop : corners) {
         const Vec3 a = two.vertices[loop[0]], b = two.vertices[loop[1]], c = two.vertices[loop[2]];
-        two.faces.push_back(
-            {cda::normalized(cda::cross(b - a, c - a)), 0.0, cda::kStockOrigin, 0, {loop}});
+        two.faces.push_back({normalized(cross(b - a, c - a)), 0.0, cda::kStockOrigin, 0, {loop}});
     }
     Part part = faceted(two, std::vector<std::vector<cda::Origin>>(6, {cda::kStockOrigin}));
     enforce_min_vertex_distance(part);

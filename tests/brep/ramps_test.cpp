@@ -139,7 +139,7 @@ TEST(Recognise, RampsHaveNoEdgesHalfAround) {
     for (const Edge& edge : part.edges) {
         if (!std::holds_alternative<Ellipse>(edge.curve)) continue;
         ++ellipses;
-        EXPECT_LT(cda::norm(part.vertices[edge.to] - part.vertices[edge.from]), 6.0);
+        EXPECT_LT(norm(part.vertices[edge.to] - part.vertices[edge.from]), 6.0);
     }
     EXPECT_EQ(ellipses, 2);
     Part checked = part;
@@ -163,13 +163,13 @@ TEST(Recognise, ShallowRampsHaveShortSplines) {
         if (!ramp) continue;
         const auto out = [&](std::uint32_t v) {
             const Vec3 p = part.vertices[v];
-            return cda::normalized(p - place_along(*ramp, p) * ramp->along - ramp->centre);
+            return normalized(p - place_along(*ramp, p) * ramp->along - ramp->centre);
         };
         for (const EdgeUse& use : face.loops.front()) {
             const Edge& edge = part.edges[use.edge];
             if (!std::holds_alternative<Spline>(edge.curve)) continue;
             ++splines;
-            EXPECT_GT(cda::dot(out(edge.from), out(edge.to)), 0.8);
+            EXPECT_GT(dot(out(edge.from), out(edge.to)), 0.8);
             // Each half lies on the ramp, as the whole curve does.
             const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
             for (const double t : {0.0, 0.3, 0.7, 1.0})
@@ -232,15 +232,15 @@ TEST(Recognise, ShallowRampsThatEndInAPointAreHalfCirclesInFiles) {
                                next + "G0 Z5\nM30\n"}),
             0.05);
     };
-    const Vec3 ahead = cda::normalized(Vec3{8.76 - 28.583, 46.844 - 27.391, 0});
+    const Vec3 ahead = normalized(Vec3{8.76 - 28.583, 46.844 - 27.391, 0});
     const Made alone = ramp(""), ends = ramp("G1 X16.198 Y56.155 Z-7.608\n");
     EXPECT_EQ(alone.step.find("RATIONAL_B_SPLINE_CURVE"), std::string::npos);
     ASSERT_NE(ends.step.find("RATIONAL_B_SPLINE_CURVE"), std::string::npos);
     const RationalCubic curve = first_rational_cubic(ends.step);
     const Vec3 centre = 0.5 * (curve.at(0.0) + curve.at(1.0));
-    EXPECT_NEAR(cda::norm(curve.at(0.5) - centre - 3.0 * ahead), 0.0, 1e-6);
+    EXPECT_NEAR(norm(curve.at(0.5) - centre - 3.0 * ahead), 0.0, 1e-6);
     for (const double t : {0.0, 0.2, 0.5, 0.9, 1.0}) {
-        EXPECT_NEAR(cda::norm(curve.at(t) - centre), 3.0, 1e-9) << t;
+        EXPECT_NEAR(norm(curve.at(t) - centre), 3.0, 1e-9) << t;
         EXPECT_NEAR(curve.at(t).z, centre.z, 1e-9) << t;
     }
     int halves = 0;
@@ -248,7 +248,7 @@ TEST(Recognise, ShallowRampsThatEndInAPointAreHalfCirclesInFiles) {
         const auto half = half_of_ramp(ends.solid.part, face);
         if (!half) continue;
         ++halves;
-        EXPECT_NEAR(cda::norm(*half - ahead), 0.0, 1e-6);
+        EXPECT_NEAR(norm(*half - ahead), 0.0, 1e-6);
     }
     EXPECT_EQ(halves, 1);
 }

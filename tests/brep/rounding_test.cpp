@@ -140,7 +140,7 @@ TEST(Recognise, HasCornersInTipsNotBesideThem) {
         for (const Loop& loop : face.loops) {
             for (const EdgeUse& use : loop) {
                 const double deviation =
-                    cda::norm(part.vertices[part.edges[use.edge].from] - cone->apex);
+                    norm(part.vertices[part.edges[use.edge].from] - cone->apex);
                 if (deviation == 0.0) ++in_tips;
                 EXPECT_TRUE(deviation == 0.0 || deviation > 3e-3) << deviation;
             }

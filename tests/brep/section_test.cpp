@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(Drawings, SectionOf, testing::ValuesIn(drawings()),
 TEST(Section, SlicesHaveTheVolumeOfTheBody) {
     for (const test::NamedPart& body : test::solids()) {
         SCOPED_TRACE(body.name);
-        cda::Box box;
+        Box box;
         for (const Vec3& v : body.part.vertices)
             box.add(v - Vec3{30, 30, 1}), box.add(v + Vec3{30, 30, 1});
         for (int axis = 0; axis < 3; ++axis) {
@@ -190,7 +190,7 @@ TEST(Section, OfRandomPartsIsThatOfTheirPolyhedra) {
         const auto made = test::make_part(setup::job_of({"part.nc", programs[i]}), 0.05);
         const std::vector<std::vector<cda::Origin>> none(made.boundary.faces.size());
         const Part polyhedron = faceted(made.boundary, none);
-        const cda::Box box = cda::bounds(made.boundary);
+        const Box box = cda::bounds(made.boundary);
         for (int axis = 0; axis < 3; ++axis) {
             for (const double share : {0.11, 0.37, 0.5, 0.83, 0.97}) {
                 const double at = box.min[axis] + share * box.size()[axis];

@@ -15,10 +15,6 @@
 namespace ncsim::brep {
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
 using test::Draw;
 
 Extrusion random_extrusion(Draw& draw) {
@@ -186,7 +182,7 @@ TEST(Coil, HasItsPlacesNormalsAndDistances) {
         const Vec3 n = (coil.lead < 0.0 ? -1.0 : 1.0) * normalized(cross(u, v));
         EXPECT_NEAR(distance(coil, p), 0.0, 1e-11);
         EXPECT_NEAR(norm(gradient(coil, p) - n), 0.0, 1e-7);
-        EXPECT_GT(cda::dot(n, project_onto(coil, p).out), 0.0);
+        EXPECT_GT(dot(n, project_onto(coil, p).out), 0.0);
         EXPECT_NEAR(project_onto(coil, p).turn, helix, 1e-9);
     }
 }
@@ -225,7 +221,7 @@ TEST(Spiral, HasItsPlacesNormalsAndDistances) {
             return at.path_point + s.offset * at.out;
         };
         const Vec3 step = wall(turn + kStep) - wall(turn - kStep);
-        EXPECT_NEAR(cda::dot(step, place.along) / (2.0 * kStep), place.speed, 1e-6);
+        EXPECT_NEAR(dot(step, place.along) / (2.0 * kStep), place.speed, 1e-6);
     }
 }
 

@@ -18,12 +18,10 @@
 namespace ncsim::brep {
 namespace {
 
-using cda::cross;
-using cda::dot;
 using test::Draw;
 
 Vec3 across(Draw& draw, Vec3 axis) {
-    return cda::normalized(cross(axis, draw.direction()));
+    return normalized(cross(axis, draw.direction()));
 }
 
 RotaryPath random_rotary_path(Draw& draw) {
@@ -80,7 +78,7 @@ std::vector<Form> random_forms(Draw& draw) {
 CandidateSurface with_marks(const Form& form, int marks) {
     CandidateSurface candidate{{form, (marks & 1) != 0}, (marks & 2) != 0};
     constexpr double kInf = std::numeric_limits<double>::infinity();
-    if (marks & 4) candidate.place = cda::Box{{-1.5, -kInf, 2}, {kInf, 1e-7, 3}};
+    if (marks & 4) candidate.place = Box{{-1.5, -kInf, 2}, {kInf, 1e-7, 3}};
     if (marks & 8) candidate.ends = {Plane{{1, 2, 3}, {0, 0, 1}}, Plane{{1, 2, 9}, {0, 0.6, 0.8}}};
     if (marks & 16) candidate.below_side = Vec3{0, 0.6, 0.8};
     return candidate;

@@ -1,6 +1,6 @@
 find_package(fmt CONFIG REQUIRED)
 ncsim_add_test(brep
-  LIBRARIES ncsim::simulation ncsim::trig fmt::fmt-header-only
+  LIBRARIES ncsim::simulation fmt::fmt-header-only
   SOURCES
     cam_parts.cpp
     envelope_parts_test.cpp
@@ -43,7 +43,7 @@ set_tests_properties(brep.solids_are_read_by_opencascade PROPERTIES FIXTURES_REQ
 add_executable(ncsim_brep_random brep/write_random_parts.cpp brep/cam_parts.cpp
   brep/groove_parts.cpp brep/random_parts.cpp brep/slot_parts.cpp brep/tilted_parts.cpp)
 target_include_directories(ncsim_brep_random PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-target_link_libraries(ncsim_brep_random PRIVATE ncsim::simulation ncsim::trig fmt::fmt-header-only
+target_link_libraries(ncsim_brep_random PRIVATE ncsim::simulation fmt::fmt-header-only
   ncsim_build_flags)
 function(ncsim_judge_parts name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NIGHTLY")

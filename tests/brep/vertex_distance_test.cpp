@@ -3,8 +3,8 @@
 // Tests the minimum distance of vertices in parts and in their facets.
 #include "heal/vertex_distance.h"
 
-#include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
+#include "ncsim/mesh/simplify.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 
@@ -38,7 +38,7 @@ cda::Boundary pit_through(double size) {
         cda::BoundaryFace made;
         const Vec3 a = boundary.vertices[loops[0][0]], b = boundary.vertices[loops[0][1]],
                    c = boundary.vertices[loops[0][2]];
-        made.normal = cda::normalized(cda::cross(b - a, c - a));
+        made.normal = normalized(cross(b - a, c - a));
         made.loops = std::move(loops);
         boundary.faces.push_back(made);
     };
@@ -81,8 +81,7 @@ TEST(Facets, NoLoopComesToACornerTwiceInARow) {
     simulation::Plan plan = test::plan_of(test::tilted_part(3000160), "part.nc");
     const simulation::Survey survey = simulation::survey(plan);
     const simulation::Simulation milled = simulation::simulate(plan, survey, {}, {});
-    const exporter::Simplified flat =
-        exporter::simplify(*milled.boundary, exporter::kStepTolerance);
+    const mesh::Simplified flat = mesh::simplify(*milled.boundary, exporter::kStepTolerance);
     for (const cda::BoundaryFace& face : flat.boundary.faces) {
         for (const auto& loop : face.loops) {
             EXPECT_EQ(std::ranges::adjacent_find(loop), loop.end());

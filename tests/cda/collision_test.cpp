@@ -3,6 +3,8 @@
 // Tests collisions of a part with convex and concave bodies.
 #include "ncsim/cda/collision.h"
 
+#include "ncsim/cda/triangulate.h"
+
 #include "support/random_shapes.h"
 
 #include <gtest/gtest.h>

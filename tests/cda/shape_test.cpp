@@ -3,6 +3,8 @@
 // Tests stock of any shape: from meshes, in convex pieces, placed, and in files.
 #include "ncsim/cda/shape.h"
 
+#include "ncsim/cda/triangulate.h"
+
 #include "support/rounds.h"
 #include "support/scene.h"
 

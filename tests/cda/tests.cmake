@@ -23,7 +23,6 @@ ncsim_add_test(cda
     normal_table_test.cpp
     numbering_test.cpp
     outlines_test.cpp
-    parallel_test.cpp
     plane_store_test.cpp
     polytope_test.cpp
     predicates_test.cpp

@@ -7,7 +7,7 @@
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/flat.h"
 #include "ncsim/cda/hull.h"
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "support/oracle.h"
 #include "support/passes.h"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tests the triangulation of faces with degenerate outlines.
+#include "ncsim/cda/triangulate.h"
+
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/check.h"
-#include "ncsim/cda/mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,12 @@
 // Tests that every model of a workpiece must pass.
 #include "ncsim/cda/workpiece.h"
 
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/flat.h"
-#include "ncsim/cda/mesh.h"
 #include "ncsim/cda/polytope.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "polytope/difference.h"
 #include "support/oracle.h"

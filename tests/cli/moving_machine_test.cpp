@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The sample machine: files that `run --show-machine` writes move as the program says.
+#include "ncsim/base/angles.h"
 #include "ncsim/machine/relative.h"
 #include "ncsim/setup/machine_formats.h"
-#include "ncsim/trig/angles.h"
 
 #include "cli/run_program.h"
 
@@ -27,7 +27,6 @@
 namespace ncsim::cli_test {
 namespace {
 
-using cda::Vec3;
 using machine::Pose;
 
 const std::string kSamples = std::string(NCSIM_SOURCE_DIR) + "/samples/";
@@ -220,7 +219,7 @@ TEST(MovingMachine, CarriesTheTipThroughThePartAsTheProgramSays) {
         // Positions and times are stored as floats.
         EXPECT_LT(apart(tip, specified), 1e-3 + missed) << line;
         // The table turns the part by the right hand: A, then C, inverted.
-        const trig::SinCos a = trig::sin_cos(words.at('A')), c = trig::sin_cos(words.at('C'));
+        const SinCos a = sin_cos(words.at('A')), c = sin_cos(words.at('C'));
         EXPECT_LT(apart(axis, {c.sin * a.sin, c.cos * a.sin, a.cos}), 1e-5) << line;
         // On the line between both ends.
         const Vec3 from = at(begins[0]).first;
@@ -258,7 +257,7 @@ TEST(MovingMachine, HasEveryLinkWhereItsJointsBringIt) {
             const auto q = scene.sampled(scene.node(link), "rotation", seconds);
             // Positive values turn the part by the right hand.
             const double along = axis == 'A' ? q.at(0) : q.at(2);
-            values[*machine::index_of(axis)] = 2.0 * trig::angle_of(q.at(3), along);
+            values[*machine::index_of(axis)] = 2.0 * angle_of(q.at(3), along);
         }
         return values;
     };
@@ -324,7 +323,7 @@ TEST(MovingMachine, ChangesToolsAndTurnsAllTheWay) {
     for (const double degrees : {60.0, 150.0, 240.0, 299.0}) {
         const Pose X = machine::inverse(home) * scene.pose("platter", from + degrees / 10.0);
         // Positive values turn the part by the right hand.
-        const trig::SinCos q = trig::sin_cos(-degrees);
+        const SinCos q = sin_cos(-degrees);
         EXPECT_NEAR(X.rows[0].x, q.cos, 1e-4) << degrees;
         EXPECT_NEAR(X.rows[1].x, q.sin, 1e-4) << degrees;
     }

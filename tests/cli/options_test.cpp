@@ -275,7 +275,7 @@ TEST(Options, TakeEverythingThatCanBeAskedFor) {
                                "-q"});
     EXPECT_EQ(outputs_of(o).size(), 8U);
     EXPECT_EQ(o.model, "cda-flat") << "statistics and XML show its cells";
-    EXPECT_EQ(o.stock->box.max, (cda::Vec3{5, 10, 0}));
+    EXPECT_EQ(o.stock->box.max, (Vec3{5, 10, 0}));
     EXPECT_EQ(o.tools.size(), 2U);
     EXPECT_EQ(o.assumed_tool->diameter, 3);
     EXPECT_TRUE(o.inches);

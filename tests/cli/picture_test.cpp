@@ -82,7 +82,7 @@ TEST(Picture, ViewsOfASheetHaveOneScaleAndAreAligned) {
     const Ran ran = folder.run({"run", "slot.nc", "-q", "--marks", "none", "--size", "400x300",
                                 "--views", "top,front,right", "--png", "a.png"});
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
-    const Image image = exporter::test::read_png(folder.read("a.png"));
+    const Image image = test::read_png(folder.read("a.png"));
     EXPECT_EQ(image.width, 800U);
     EXPECT_EQ(image.height % 2, 0U);
     // The labels are in the upper left corners.
@@ -228,7 +228,7 @@ TEST(Picture, DesignColoursShowGougesExcessAndTolerance) {
                          "mm3 in all; farthest apart 1 mm\n"
                          "          1  gouge 1 mm, line 7, at X-40 Y-20 Z-2\n"))
         << ran.out;
-    const Image image = exporter::test::read_png(folder.read("a.png"));
+    const Image image = test::read_png(folder.read("a.png"));
     EXPECT_GT(count(image, is_green), 5000U);
     EXPECT_GT(count(image, is_red), 500U);
     EXPECT_GT(image.height, 360U);  // with the places below
@@ -237,7 +237,7 @@ TEST(Picture, DesignColoursShowGougesExcessAndTolerance) {
         {"run", "passes.nc", "--colour", "design", "--png", "b.png", "--size", "480x360"});
     ASSERT_EQ(good.exit_code, 0) << good.err;
     EXPECT_TRUE(contains(good.out, "within 0.1 mm: nothing beyond")) << good.out;
-    EXPECT_LT(count(exporter::test::read_png(folder.read("b.png")), is_red), 500U);
+    EXPECT_LT(count(test::read_png(folder.read("b.png")), is_red), 500U);
     // Plain colours need no comparison.
     const Ran plain = folder.run({"run", "fails.nc", "--png", "c.png"});
     EXPECT_FALSE(contains(plain.out, "design ")) << plain.out;
@@ -266,14 +266,14 @@ TEST(Picture, AFindingShowsTheToolWhereItMeetsTheFixture) {
     copy_example(folder, "fixture-contact");
     const Ran ran = folder.run({"check", "fails.nc", "-q", "--png", "a.png", "--size", "480x360"});
     EXPECT_EQ(ran.exit_code, 1) << ran.err;
-    const Image image = exporter::test::read_png(folder.read("a.png"));
+    const Image image = test::read_png(folder.read("a.png"));
     EXPECT_GT(count(image, is_red), 300U);      // the tool
     EXPECT_GT(count(image, is_orange), 2000U);  // the jaw
 
     const Ran good =
         folder.run({"check", "passes.nc", "-q", "--png", "b.png", "--size", "480x360"});
     EXPECT_EQ(good.exit_code, 0) << good.err;
-    const Image clean = exporter::test::read_png(folder.read("b.png"));
+    const Image clean = test::read_png(folder.read("b.png"));
     EXPECT_LT(count(clean, is_red), 200U);  // an axis
     EXPECT_EQ(count(clean, is_orange), 0U);
 }
@@ -291,7 +291,7 @@ TEST(Picture, AFindingShowsTheMaterialBeforeARapidMove) {
         return folder.read("a.png");
     };
     const std::string first = picture({});
-    EXPECT_GT(count(exporter::test::read_png(first), is_red), 300U);
+    EXPECT_GT(count(test::read_png(first), is_red), 300U);
     EXPECT_EQ(picture({"--finding", "1"}), first);
     EXPECT_NE(picture({"--view", "top"}), first);
     EXPECT_NE(picture({"--cut-view", "y=0"}), first);

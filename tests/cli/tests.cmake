@@ -11,7 +11,7 @@ if(TARGET ncsim)
   find_package(PNG REQUIRED)
   find_package(TinyGLTF 2.7 CONFIG REQUIRED)
   ncsim_add_test(cli
-    LIBRARIES ncsim_app ncsim::trig PNG::PNG nlohmann_json::nlohmann_json fmt::fmt TinyGLTF::TinyGLTF
+    LIBRARIES ncsim_app PNG::PNG nlohmann_json::nlohmann_json fmt::fmt TinyGLTF::TinyGLTF
     SOURCES
       bad_input_test.cpp
       baseline_test.cpp

@@ -61,7 +61,7 @@ struct Comparison {
     double share() const { return std::abs(off) / std::max(specified + polygons, 1e-300); }
 };
 
-double longest_side(const cda::Box& box) {
+double longest_side(const Box& box) {
     return std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
 }
 

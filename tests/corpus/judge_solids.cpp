@@ -95,7 +95,7 @@ bool is_simple(const gcode::Motion& motion) {
     return !std::holds_alternative<gcode::Spline>(motion.action);
 }
 
-std::string step_of(const brep::Part& part, const exporter::Provenance& provenance) {
+std::string step_of(const brep::Part& part, const mesh::Provenance& provenance) {
     std::ostringstream out;
     exporter::write_step_solid(out, part, provenance);
     return out.str();

@@ -17,7 +17,6 @@
 namespace ncsim::dexel {
 namespace {
 
-using cda::Vec3;
 using test::kLattice;
 using test::mm_box;
 

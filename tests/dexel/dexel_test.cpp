@@ -3,9 +3,10 @@
 // Tests the dexel model with rays along all axes.
 #include "ncsim/dexel/dexel.h"
 
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/cda/boundary.h"
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/hull.h"
-#include "ncsim/cda/mesh.h"
 #include "ncsim/cda/tree.h"
 
 #include "support/random.h"
@@ -23,7 +24,6 @@ namespace {
 
 using cda::Boundary;
 using cda::Cell;
-using cda::Vec3;
 using test::kLattice;
 using test::mm_box;
 
@@ -43,7 +43,7 @@ TEST(Dexel, ABlockIsItself) {
     EXPECT_EQ(boundary.shells, 1U);
     // Normals are off by 1e-4, so corners are off by that share of a cell.
     EXPECT_NEAR(cda::volume(boundary), 600.0, 0.05);
-    const cda::Box bounds = cda::bounds(boundary);
+    const Box bounds = cda::bounds(boundary);
     for (int axis = 0; axis < 3; ++axis) {
         EXPECT_NEAR(bounds.min[axis], 0.0, 1e-3);
         EXPECT_NEAR(bounds.max[axis], axis == 2 ? 6.0 : 10.0, 1e-3);

@@ -111,8 +111,8 @@ TEST(Ray, NamesTheMotionsThatLeftItsEnds) {
 TEST(PackedNormal, IsOffByATenThousandthAtMost) {
     test::Random random(3);
     for (int i = 0; i < 10000; ++i) {
-        const cda::Vec3 n =
-            normalized(cda::Vec3{random.within(-1, 1), random.within(-1, 1), random.within(-1, 1)});
+        const Vec3 n =
+            normalized(Vec3{random.within(-1, 1), random.within(-1, 1), random.within(-1, 1)});
         EXPECT_LT(norm(PackedNormal::of(n).unpacked() - n), 1e-4);
     }
 }

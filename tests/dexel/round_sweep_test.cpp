@@ -17,8 +17,6 @@
 namespace ncsim::dexel {
 namespace {
 
-using cda::Vec3;
-
 constexpr cda::Lattice kLattice{1e-5};
 
 // Returns the radius of the tool's profile at `height` (mm). The code is independent of the tested

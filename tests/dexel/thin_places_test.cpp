@@ -17,7 +17,6 @@ namespace {
 
 using cda::Cell;
 using cda::LatticePoint;
-using cda::Vec3;
 using test::kLattice;
 using test::mm_box;
 

@@ -10,13 +10,11 @@
 namespace ncsim::exporter {
 namespace {
 
-using cda::Vec3;
-
 constexpr std::array kViews{View::Iso,  View::Top,   View::Front, View::Back,
                             View::Left, View::Right, View::Bottom};
 
 void expect_near(Vec3 a, Vec3 b) {
-    EXPECT_LT(cda::norm(a - b), 1e-12);
+    EXPECT_LT(norm(a - b), 1e-12);
 }
 
 TEST(Camera, NamesOfViewsReadBack) {
@@ -27,18 +25,18 @@ TEST(Camera, NamesOfViewsReadBack) {
 }
 
 TEST(Camera, AxesAreARightHandedFrame) {
-    const cda::Box box{{0, 0, 0}, {10, 20, 30}};
+    const Box box{{0, 0, 0}, {10, 20, 30}};
     for (const View view : kViews) {
         SCOPED_TRACE(name(view));
         const Camera c = fit_camera(box, view, 1.5);
-        expect_near(cda::cross(c.right, c.up), c.back);
-        expect_near(cda::cross(c.up, c.back), c.right);
-        EXPECT_NEAR(cda::norm(c.up), 1.0, 1e-15);
+        expect_near(cross(c.right, c.up), c.back);
+        expect_near(cross(c.up, c.back), c.right);
+        EXPECT_NEAR(norm(c.up), 1.0, 1e-15);
     }
 }
 
 TEST(Camera, LooksAsOneStandsAtTheMachine) {
-    const cda::Box box{{0, 0, 0}, {10, 20, 30}};
+    const Box box{{0, 0, 0}, {10, 20, 30}};
     expect_near(fit_camera(box, View::Front, 1.0).right, {1, 0, 0});
     expect_near(fit_camera(box, View::Right, 1.0).right, {0, 1, 0});
     expect_near(fit_camera(box, View::Left, 1.0).right, {0, -1, 0});
@@ -48,7 +46,7 @@ TEST(Camera, LooksAsOneStandsAtTheMachine) {
 }
 
 TEST(Camera, SeesAllCornersOfTheBoxAndFillsThePicture) {
-    const cda::Box box{{-5, 100, 3}, {75, 140, 9}};
+    const Box box{{-5, 100, 3}, {75, 140, 9}};
     for (const View view : kViews) {
         for (const Projection projection : {Projection::Orthographic, Projection::Perspective}) {
             for (const double aspect : {0.5, 1.0, 2.0}) {
@@ -72,16 +70,16 @@ TEST(Camera, SeesAllCornersOfTheBoxAndFillsThePicture) {
 }
 
 TEST(Camera, NothingToSeeIsSeenAsAMillimetre) {
-    EXPECT_GT(fit_camera(cda::Box{}, View::Iso, 1.0).height, 1.0);
-    EXPECT_LT(fit_camera(cda::Box{}, View::Iso, 1.0).height, 3.0);
-    const cda::Box point{{7, 8, 9}, {7, 8, 9}};
+    EXPECT_GT(fit_camera(Box{}, View::Iso, 1.0).height, 1.0);
+    EXPECT_LT(fit_camera(Box{}, View::Iso, 1.0).height, 3.0);
+    const Box point{{7, 8, 9}, {7, 8, 9}};
     const Camera camera = fit_camera(point, View::Top, 1.0);
     expect_near(camera.target, {7, 8, 9});
     EXPECT_GT(camera.depth, 0.0);
 }
 
 TEST(Camera, AFlatBoxSeenFromItsEdgeStillHasASize) {
-    const cda::Box rod{{0, 0, 0}, {10, 0, 0}};
+    const Box rod{{0, 0, 0}, {10, 0, 0}};
     EXPECT_GT(fit_camera(rod, View::Right, 1.0).height, 0.0);
 }
 

@@ -2,11 +2,12 @@
 //
 // Pictures of parts cut open, and of distances from a design.
 #include "ncsim/cda/flat.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/render.h"
 
-#include "box_part.h"
-#include "polytope_part.h"
 #include "render/palette.h"
+#include "support/box_part.h"
+#include "support/polytope_part.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +18,9 @@ namespace ncsim::exporter {
 namespace {
 
 const cda::Lattice kLattice = cda::Lattice::for_stock({{0, 0, 0}, {40, 30, 10}});
-const Provenance kCuts{{{0, 0}, {10, 1}, {20, 7}, {30, 9}}, "plate.nc"};
+const mesh::Provenance kCuts{{{0, 0}, {10, 1}, {20, 7}, {30, 9}}, "plate.nc"};
 
-cda::Cell box(cda::Vec3 min, cda::Vec3 max, std::uint32_t origin) {
+cda::Cell box(Vec3 min, Vec3 max, std::uint32_t origin) {
     return cda::box_cell(kLattice.round(min), kLattice.round(max), kLattice, cda::Origin{origin});
 }
 
@@ -68,10 +69,10 @@ TEST(CutView, ShowsThePartWithoutTheHalfAndHatchesTheCut) {
         RenderOptions options = options_for(whole, view);
         const Image expected = render_boundary(half.boundary(), kCuts, options);
         // Tool 9 cuts the same half in a second picture with another rank, so its colour differs.
-        Provenance other = kCuts;
+        mesh::Provenance other = kCuts;
         other.entries.back() = {30, 0};
         const Image marked = render_boundary(half.boundary(), other, options);
-        options.cut = CutPlane{{1, 0, 0}, 20.0};
+        options.cut = mesh::CutPlane{{1, 0, 0}, 20.0};
         const Image picture = render_boundary(whole, kCuts, options);
         std::size_t flat = 0, hatched = 0, lines = 0;
         for (std::uint32_t y = 2; y + 2 < options.height; ++y) {
@@ -107,7 +108,7 @@ TEST(CutView, OpensBodiesThatAreCutAndNoOthers) {
     overlay.bodies.push_back({test::boundary_of(jaw), {40, 160, 90}});
     RenderOptions options = options_for(part, View::Front);
     options.camera.depth *= 2.0;
-    options.cut = CutPlane{{0, -1, 0}, -8.0};
+    options.cut = mesh::CutPlane{{0, -1, 0}, -8.0};
     const auto green = [&](bool is_cut) {
         overlay.bodies.front().is_cut = is_cut;
         const Image image = render_boundary(part, kCuts, options, overlay);
@@ -117,7 +118,7 @@ TEST(CutView, OpensBodiesThatAreCutAndNoOthers) {
     EXPECT_GT(green(false), 10000);
     EXPECT_EQ(green(true), 0);
     // A plane through the jaw shows its cut in its colour.
-    options.cut = CutPlane{{0, -1, 0}, 2.0};
+    options.cut = mesh::CutPlane{{0, -1, 0}, 2.0};
     EXPECT_GT(green(true), 10000);
 }
 
@@ -125,7 +126,7 @@ DesignDistances distances_for(const cda::Boundary& part) {
     DesignDistances distances;
     distances.mesh = cda::triangulate(part);
     // The design has its top at Z 9 and is wider than the part.
-    for (const cda::Vec3& p : distances.mesh.vertices)
+    for (const Vec3& p : distances.mesh.vertices)
         distances.distance_mm.push_back(p.z - 9.0);
     distances.tolerance_mm = 0.5;
     distances.largest_mm = 10.0;
@@ -148,7 +149,7 @@ TEST(CutView, OnlyTilesWithEdgesAreSampledAndNoByteShowsIt) {
             options.camera.depth *= 2.0;
             options.colouring = colouring;
             options.distances = &distances;
-            options.cut = CutPlane{{0, -1, 0}, -8.3};
+            options.cut = mesh::CutPlane{{0, -1, 0}, -8.3};
             const Image picture = render_boundary(*part, provenance, options, overlay);
             options.samples_everywhere = true;
             EXPECT_TRUE(picture == render_boundary(*part, provenance, options, overlay));

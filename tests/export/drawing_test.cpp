@@ -30,7 +30,7 @@ Section half_disc() {
     return section;
 }
 
-Provenance provenance() {
+mesh::Provenance provenance() {
     return {{{0, 0}, {12, 3}}, "a&b.nc"};
 }
 
@@ -48,7 +48,7 @@ std::string svg(const std::vector<DrawnSection>& sections) {
 
 TEST(Dxf, HasALineAnArcAndACircleOnTheLayersOfTheirTools) {
     const Section section = half_disc();
-    const Provenance from = provenance();
+    const mesh::Provenance from = provenance();
     const std::string text = dxf({{&section, &from}});
     EXPECT_NE(text.find("0\nLINE\n8\nSTOCK\n10\n-5\n20\n0\n30\n0\n11\n5\n21\n0\n31\n0\n"),
               std::string::npos)
@@ -62,7 +62,7 @@ TEST(Dxf, HasALineAnArcAndACircleOnTheLayersOfTheirTools) {
 // FreeCAD skips the first group of a layer. If this is the name, the layer has no colour.
 TEST(Dxf, NamesALayerBehindAnotherGroup) {
     const Section section = half_disc();
-    const Provenance from = provenance();
+    const mesh::Provenance from = provenance();
     const std::string text = dxf({{&section, &from}});
     for (const std::string name : {"0", "NOTES", "STOCK", "T3"})
         EXPECT_NE(text.find("0\nLAYER\n70\n0\n2\n" + name + "\n62\n"), std::string::npos) << name;
@@ -70,7 +70,7 @@ TEST(Dxf, NamesALayerBehindAnotherGroup) {
 
 TEST(Dxf, NamesOtherAlphabetsByNumber) {
     const Section section = half_disc();
-    const Provenance from = provenance();
+    const mesh::Provenance from = provenance();
     std::ostringstream out;
     write_dxf(out, {{&section, &from}}, "M\xC3\xBCller\xF0\x9F\x94\xA7.nc");
     EXPECT_NE(out.str().find("z=-4 of M\\U+00FCller?.nc\n"), std::string::npos) << out.str();
@@ -81,14 +81,14 @@ TEST(Dxf, TurnsAnArcAroundThatGoesClockwise) {
     Section section;
     section.outlines = {{{{0, 5}, {5, 0}, FlatArc{{0, 0}, 5.0, false}, cda::Origin{1}},
                          {{5, 0}, {0, 5}, FlatLine{}, cda::Origin{1}}}};
-    const Provenance from = provenance();
+    const mesh::Provenance from = provenance();
     EXPECT_NE(dxf({{&section, &from}}).find("40\n5\n50\n0\n51\n90\n"), std::string::npos);
 }
 
 TEST(Dxf, SaysWhatIsOfFacets) {
     Section section = half_disc();
     section.outlines[0][1].is_facet = true;
-    const Provenance from = provenance();
+    const mesh::Provenance from = provenance();
     EXPECT_NE(dxf({{&section, &from}}).find("8\nT3-FACETS\n"), std::string::npos);
     const std::string all = dxf({{&section, &from, true}});
     EXPECT_NE(all.find("8\nSTOCK\n"), std::string::npos);
@@ -97,7 +97,7 @@ TEST(Dxf, SaysWhatIsOfFacets) {
 
 TEST(Dxf, DrawsSectionsBesideEachOther) {
     const Section section = half_disc();
-    const Provenance from = provenance();
+    const mesh::Provenance from = provenance();
     const std::vector<DrawnSection> two{{&section, &from}, {&section, &from}};
     // The start is at -5 + 30 = 25, which is 20 from the right end of the first section.
     EXPECT_EQ(places_of(two), (std::vector<double>{0.0, 30.0}));
@@ -108,7 +108,7 @@ TEST(Dxf, DrawsSectionsBesideEachOther) {
 
 TEST(Svg, HasArcsWithUpDown) {
     const Section section = half_disc();
-    const Provenance from = provenance();
+    const mesh::Provenance from = provenance();
     const std::string text = svg({{&section, &from}});
     EXPECT_NE(text.find("M-5 0L5 0A5 5 0 0 0 -5 0Z"), std::string::npos) << text;
     // A full circle is written as two halves.
@@ -120,7 +120,7 @@ TEST(Svg, HasArcsWithUpDown) {
 // and ignores definitions.
 TEST(Svg, HasOneFilledPathOutsideOfDefinitions) {
     const Section section = half_disc();
-    const Provenance from = provenance();
+    const mesh::Provenance from = provenance();
     std::string text = svg({{&section, &from}, {&section, &from}});
     EXPECT_NE(text.find(" width=\"50mm\" height=\"22mm\" viewBox=\"0 0 50 22\">\n"
                         "<g transform=\"translate(10 10)\">\n"),
@@ -147,7 +147,7 @@ TEST(Svg, AnEllipseIsOneAndLinesInDxf) {
     section.outlines[0][0].to = {0, -4};
     section.outlines[0][1].from = {0, -4};
     section.outlines[0][1].to = {0, 4};
-    const Provenance from = provenance();
+    const mesh::Provenance from = provenance();
     EXPECT_NE(svg({{&section, &from}}).find("A4 2 -90 0 0 0 4"), std::string::npos);
     // OpenSCAD leaves out POLYLINE.
     const std::string text = dxf({{&section, &from}});
@@ -160,7 +160,7 @@ TEST(Svg, AnEllipseIsOneAndLinesInDxf) {
 
 TEST(Drawing, OfNothingIsThere) {
     const Section section;
-    const Provenance from = provenance();
+    const mesh::Provenance from = provenance();
     EXPECT_NE(svg({{&section, &from}}).find("empty"), std::string::npos);
     EXPECT_NE(dxf({{&section, &from}}).find("empty"), std::string::npos);
 }

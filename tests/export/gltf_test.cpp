@@ -3,9 +3,9 @@
 // Tests glTF files. The Khronos validator checks that the files are valid (gltf/validate.mjs).
 #include "ncsim/export/gltf.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 
-#include "box_part.h"
+#include "support/box_part.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@
 namespace ncsim::exporter {
 namespace {
 
-std::string written(const cda::Boundary& boundary, const Provenance& provenance) {
+std::string written(const cda::Boundary& boundary, const mesh::Provenance& provenance) {
     std::ostringstream out;
     write_gltf(out, boundary, provenance);
     return out.str();
@@ -141,7 +141,7 @@ TEST(WriteGltf, ShadesWhatAToolWithoutANumberCutAsAnyOther) {
 
 TEST(WriteGltf, HasAMaterialForAToolWithoutANumber) {
     auto part = test::grooved_part();
-    Provenance lines = test::provenance_of(part);
+    mesh::Provenance lines = test::provenance_of(part);
     for (std::size_t i = 1; i < lines.entries.size(); ++i) {
         if (lines.entries[i].tool == 7) lines.entries[i].tool = 0;
     }
@@ -161,7 +161,7 @@ TEST(WriteGltf, KeepsSharpEdges) {
 TEST(WriteGltf, CornersWithOneNormalAndOneLineAreOneVertex) {
     for (const auto& part : {test::grooved_part(), test::raster_part().tilted()}) {
         const cda::Boundary boundary = test::boundary_of(part);
-        const Provenance provenance = test::provenance_of(part);
+        const mesh::Provenance provenance = test::provenance_of(part);
         std::size_t triangles = 0;
         std::set<float> lines;
         for (const ReadPrimitive& primitive : primitives_of(written(boundary, provenance))) {

@@ -6,8 +6,8 @@
 #include "ncsim/export/contact_sheet.h"
 #include "ncsim/export/render.h"
 
-#include "box_part.h"
-#include "polytope_part.h"
+#include "support/box_part.h"
+#include "support/polytope_part.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 namespace ncsim::exporter {
 namespace {
 
-RenderOptions options_for(const cda::Box& box, View view, Projection projection) {
+RenderOptions options_for(const Box& box, View view, Projection projection) {
     RenderOptions options;
     options.width = 320;
     options.height = 240;
@@ -28,7 +28,7 @@ RenderOptions options_for(const cda::Box& box, View view, Projection projection)
 
 TEST(Golden, PolytopesFromTheStencilBuffer) {
     const cda::FlatCda part = test::polytope_part();
-    const cda::Box box = cda::bounds(part.boundary());
+    const Box box = cda::bounds(part.boundary());
     test::expect_like_golden(render_model(part, test::provenance_of_polytope_part(),
                                           options_for(box, View::Iso, Projection::Perspective)),
                              "export/golden/polytopes.png");
@@ -61,7 +61,7 @@ TEST(Golden, ASheetOfViews) {
 TEST(Golden, ThePathAndABodyOverThePart) {
     const auto part = test::grooved_part();
     const cda::Boundary boundary = test::boundary_of(part);
-    const cda::Box box = cda::bounds(boundary);
+    const Box box = cda::bounds(boundary);
     Overlay overlay;
     const double z = box.max.z;
     const int top = part.stock.max[2];
@@ -74,7 +74,7 @@ TEST(Golden, ThePathAndABodyOverThePart) {
     body.cell_mm = part.cell_mm;
     body.stock = {{20, 10, top}, {26, 16, top + 14}};
     overlay.bodies.push_back({test::boundary_of(body), {226, 186, 92}});
-    cda::Box seen = box;
+    Box seen = box;
     seen.add(body.to_W({26, 16, 14.0 + top}));
     test::expect_like_golden(
         render_boundary(boundary, test::provenance_of(part),

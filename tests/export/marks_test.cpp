@@ -25,7 +25,7 @@ Image blank(std::uint32_t width, std::uint32_t height) {
 constexpr double kStrip = 0.12;  // of a picture of 4:3
 
 // A block of 100 x 60 x 20 mm with the program zero at a corner of its top.
-const cda::Box kBlock{{0, 0, -20}, {100, 60, 0}};
+const Box kBlock{{0, 0, -20}, {100, 60, 0}};
 
 Camera camera_of(const Image& image, View view) {
     const double strip = mark_strip(image.width, image.height);
@@ -38,11 +38,11 @@ struct Pixel {
 };
 
 // Independent of the renderer: the pixel of a point of W.
-Pixel pixel_of(const Image& image, const Camera& camera, cda::Vec3 p) {
+Pixel pixel_of(const Image& image, const Camera& camera, Vec3 p) {
     const double per_mm = image.height / camera.height;
-    const cda::Vec3 q = p - camera.target;
-    return {image.width / 2.0 + per_mm * cda::dot(q, camera.right),
-            image.height / 2.0 - per_mm * cda::dot(q, camera.up)};
+    const Vec3 q = p - camera.target;
+    return {image.width / 2.0 + per_mm * dot(q, camera.right),
+            image.height / 2.0 - per_mm * dot(q, camera.up)};
 }
 
 bool is_dark(Rgba8 c) {

@@ -12,10 +12,10 @@
 namespace ncsim::exporter {
 namespace {
 
-using Entry = Provenance::Entry;
+using Entry = mesh::Provenance::Entry;
 
-Provenance cut_by(std::initializer_list<std::uint32_t> tools) {
-    Provenance provenance{{{}}, "a.nc"};
+mesh::Provenance cut_by(std::initializer_list<std::uint32_t> tools) {
+    mesh::Provenance provenance{{{}}, "a.nc"};
     for (const std::uint32_t tool : tools)
         provenance.entries.push_back({9, tool});
     return provenance;

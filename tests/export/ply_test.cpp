@@ -3,7 +3,9 @@
 // Tests PLY files byte by byte.
 #include "ncsim/export/ply.h"
 
-#include "box_part.h"
+#include "ncsim/cda/triangulate.h"
+
+#include "support/box_part.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +18,7 @@
 namespace ncsim::exporter {
 namespace {
 
-std::string written(const cda::Boundary& boundary, const Provenance& provenance) {
+std::string written(const cda::Boundary& boundary, const mesh::Provenance& provenance) {
     std::ostringstream out;
     write_ply(out, boundary, cda::triangulate(boundary), provenance);
     return out.str();

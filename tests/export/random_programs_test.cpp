@@ -5,12 +5,12 @@
 #include "support/random_programs.h"
 
 #include "ncsim/cda/flat.h"
-#include "ncsim/cda/mesh.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/gltf.h"
-#include "ncsim/export/simplify.h"
 #include "ncsim/export/stl.h"
 #include "ncsim/export/vrml.h"
+#include "ncsim/mesh/simplify.h"
 
 #include "support/written_mesh.h"
 
@@ -44,7 +44,7 @@ std::string glb_of(const MilledPart& part) {
 
 std::string vrml_of(const MilledPart& part) {
     std::ostringstream out;
-    write_vrml(out, simplify(part.boundary, kFlatTolerance, &part.provenance).boundary,
+    write_vrml(out, mesh::simplify(part.boundary, mesh::kFlatTolerance, &part.provenance).boundary,
                part.provenance);
     return out.str();
 }

@@ -5,8 +5,8 @@
 
 #include "ncsim/export/png.h"
 
-#include "box_part.h"
-#include "polytope_part.h"
+#include "support/box_part.h"
+#include "support/polytope_part.h"
 
 #include <gtest/gtest.h>
 
@@ -61,8 +61,8 @@ Comparison compare(const Image& stencil, const Image& boundary) {
     return result;
 }
 
-void expect_same_picture(const cda::WorkpieceModel& model, const Provenance& provenance, View view,
-                         Projection projection) {
+void expect_same_picture(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
+                         View view, Projection projection) {
     SCOPED_TRACE(name(view));
     const cda::Boundary boundary = model.boundary();
     const RenderOptions options = options_for(boundary, view, projection);
@@ -160,7 +160,7 @@ std::size_t path_pixels(const Image& with, const Image& without) {
 
 // Expects the same picture from all ways of drawing. The slow way, which draws every sample of
 // every pixel, is the oracle.
-void expect_same_in_all_ways(const cda::WorkpieceModel& model, const Provenance& provenance,
+void expect_same_in_all_ways(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
                              const RenderOptions& options, const Overlay& overlay = {}) {
     const cda::Boundary boundary = model.boundary();
     const auto draw = [&](bool by_masks, const RenderOptions& how) {
@@ -186,7 +186,7 @@ void expect_same_in_all_ways(const cda::WorkpieceModel& model, const Provenance&
 
 const cda::Lattice kLattice = cda::Lattice::for_stock({{0, 0, 0}, {40, 30, 10}});
 
-cda::Cell box(cda::Vec3 min, cda::Vec3 max, std::uint32_t origin) {
+cda::Cell box(Vec3 min, Vec3 max, std::uint32_t origin) {
     return cda::box_cell(kLattice.round(min), kLattice.round(max), kLattice, cda::Origin{origin});
 }
 
@@ -198,7 +198,7 @@ cda::FlatCda slotted_plate() {
     return part;
 }
 
-const Provenance kTwoSlots{{{0, 0}, {10, 1}, {20, 7}}, "plate.nc"};
+const mesh::Provenance kTwoSlots{{{0, 0}, {10, 1}, {20, 7}}, "plate.nc"};
 
 TEST(Render, OsmesaDrawsTheSamePictureButForPixelsAtEdges) {
     const cda::FlatCda part = slotted_plate();
@@ -374,7 +374,7 @@ TEST(Render, FacesThatCrossEachOtherAreSampled) {
     body.stock = {{0, 0, 0}, {1, 1, 1}};
     body.cell_mm = 30.0;
     body = body.tilted();
-    body.shift = body.shift + cda::Vec3{10, -8, -16};
+    body.shift = body.shift + Vec3{10, -8, -16};
     Overlay overlay;
     overlay.bodies.push_back({test::boundary_of(body), {200, 40, 90}});
     expect_same_in_all_ways(plate, kTwoSlots, options, overlay);
@@ -492,7 +492,7 @@ TEST(Render, AGhostIsPaleAndItsEdgesAreSeenWhereNothingStands) {
         };
         EXPECT_LT(contrast(pale), contrast(specified));
         EXPECT_GT(contrast(pale), 10);
-        const auto ink = [&](const cda::Box& box) {
+        const auto ink = [&](const Box& box) {
             return path_pixels(render_boundary(boundary, {}, options, {{}, {}, {{box}}}), pale);
         };
         EXPECT_EQ(ink({{0, 0, 0}, {40, 30, 10}}), 0U) << "its faces hide them";

@@ -3,7 +3,7 @@
 // Tests STEP files. OpenCASCADE checks that the files are valid solids (read_step.cpp).
 #include "ncsim/export/step.h"
 
-#include "box_part.h"
+#include "support/box_part.h"
 #include "support/count.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace ncsim::exporter {
 namespace {
 
-std::string written(const cda::Boundary& boundary, const Provenance& provenance) {
+std::string written(const cda::Boundary& boundary, const mesh::Provenance& provenance) {
     std::ostringstream out;
     write_step(out, boundary, provenance);
     return out.str();
@@ -64,7 +64,7 @@ TEST(WriteStep, SeveralSolidsAreProductsOfAnAssembly) {
 }
 
 TEST(WriteStep, WritesOtherAlphabetsByNumber) {
-    Provenance provenance;
+    mesh::Provenance provenance;
     provenance.program = "M\xC3\xBC'ller\\\xF0\x9F\x94\xA7.nc";
     EXPECT_EQ(ncsim::test::count(written({}, provenance),
                                  "'M\\X2\\00FC\\X0\\''ller\\\\\\X4\\0001F527\\X0\\.nc'"),

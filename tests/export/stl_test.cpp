@@ -4,8 +4,9 @@
 #include "ncsim/export/stl.h"
 
 #include "ncsim/cda/tree.h"
+#include "ncsim/cda/triangulate.h"
 
-#include "polytope_part.h"
+#include "support/polytope_part.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@
 namespace ncsim::exporter {
 namespace {
 
-std::string written(const cda::TriangleMesh& mesh) {
+std::string written(const TriangleMesh& mesh) {
     std::ostringstream out;
     write_stl(out, mesh);
     return out.str();
@@ -38,7 +39,7 @@ constexpr std::size_t kHeader = 84;
 constexpr std::size_t kTriangle = 50;
 
 // Returns a tetrahedron with a, b, c counter-clockwise seen from outside, and d behind.
-cda::TriangleMesh tetrahedron(cda::Vec3 a, cda::Vec3 b, cda::Vec3 c, cda::Vec3 d) {
+TriangleMesh tetrahedron(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     return {{a, b, c, d}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}, {0, 1, 2, 3}};
 }
 
@@ -69,7 +70,7 @@ std::uint32_t count_of(const std::string& bytes) {
 
 TEST(WriteStl, LeavesOutWhatVanishesInFloats) {
     // A needle next to an edge of a tetrahedron, and a tetrahedron too thin for floats.
-    cda::TriangleMesh mesh = tetrahedron({1e6, 0, 1}, {1e6 + 1, 0, 1}, {1e6, 1, 1}, {1e6, 0, 0});
+    TriangleMesh mesh = tetrahedron({1e6, 0, 1}, {1e6 + 1, 0, 1}, {1e6, 1, 1}, {1e6, 0, 0});
     mesh.vertices.push_back({1e6 + 1e-9, 1, 1});
     mesh.triangles = {{0, 1, 4}, {0, 4, 2}, {0, 3, 1}, {1, 3, 4}, {4, 3, 2}, {2, 3, 0}};
     mesh.face = {0, 0, 1, 2, 2, 3};
@@ -88,7 +89,7 @@ TEST(WriteStl, RefusesAMeshThatIsNotClosed) {
 // Every edge of the file occurs equally often in both directions, and the corners of each triangle
 // differ.
 TEST(WriteStl, StaysClosedInFloats) {
-    const cda::TriangleMesh mesh = cda::triangulate(test::polytope_part().boundary());
+    const TriangleMesh mesh = cda::triangulate(test::polytope_part().boundary());
     const std::string bytes = written(mesh);
     using Point = std::array<float, 3>;
     std::map<std::pair<Point, Point>, int> edges;
@@ -112,13 +113,13 @@ TEST(WriteStl, StaysClosedInFloats) {
 // touch along edges and in corners.
 TEST(WriteStl, SurfacesThatTouchAreToldApart) {
     const cda::Lattice lattice;
-    const auto box = [&](cda::Vec3 min, cda::Vec3 max) {
+    const auto box = [&](Vec3 min, Vec3 max) {
         return cda::box_cell(lattice.round(min), lattice.round(max), lattice, cda::Origin{1});
     };
     // Four cubes of a block of eight are left. Each touches the rest along its edges.
     cda::TreeCda part(box({0, 0, 0}, {2, 2, 2}), lattice);
-    for (const cda::Vec3 min : {cda::Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}})
-        part.subtract(box(min, min + cda::Vec3{1, 1, 1}));
+    for (const Vec3 min : {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}})
+        part.subtract(box(min, min + Vec3{1, 1, 1}));
     const std::string bytes = written(cda::triangulate(part.boundary()));
     using Point = std::array<float, 3>;
     std::map<std::pair<Point, Point>, int> edges;

@@ -3,33 +3,28 @@ ncsim_add_test(export
   LIBRARIES ncsim::export ncsim::toolpath nlohmann_json::nlohmann_json
   SOURCES
     apng_test.cpp
-    box_part.cpp
     camera_test.cpp
     cut_view_test.cpp
     drawing_test.cpp
-    float_mesh_test.cpp
     gif_test.cpp
     gltf_test.cpp
     golden_test.cpp
     marks_test.cpp
-    merge_faces_test.cpp
-    open_mesh_test.cpp
     palette_test.cpp
     ply_test.cpp
     png_test.cpp
-    polytope_part.cpp
     random_programs_test.cpp
     render_test.cpp
     sheet_test.cpp
     shrink_test.cpp
-    simplify_test.cpp
-    slivers_test.cpp
     step_test.cpp
     stl_test.cpp
     text_test.cpp
     threemf_test.cpp
     vrml_test.cpp
+    ../support/box_part.cpp
     ../support/golden.cpp
+    ../support/polytope_part.cpp
     ../support/random_programs.cpp
     ../support/read_png.cpp
     ../support/written_mesh.cpp)
@@ -60,7 +55,8 @@ set_tests_properties(export.needs_no_opengl PROPERTIES
 # files in all formats, each reader checks the ones it knows. A reader that is not there is a failure.
 set(samples ${CMAKE_CURRENT_BINARY_DIR}/export/samples)
 add_executable(ncsim_export_samples
-  export/write_samples.cpp export/box_part.cpp export/polytope_part.cpp)
+  export/write_samples.cpp support/box_part.cpp support/polytope_part.cpp)
+target_include_directories(ncsim_export_samples PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(ncsim_export_samples PRIVATE ncsim::export ncsim_build_flags)
 add_test(NAME export.write_samples COMMAND ncsim_export_samples ${samples})
 set_tests_properties(export.write_samples PROPERTIES FIXTURES_SETUP export_samples)

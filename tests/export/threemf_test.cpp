@@ -3,8 +3,8 @@
 // Tests 3MF files. lib3mf checks that the files are valid (read_3mf.cpp).
 #include "ncsim/export/threemf.h"
 
-#include "box_part.h"
 #include "formats/zip.h"
+#include "support/box_part.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace ncsim::exporter {
 namespace {
 
-std::string written(const cda::Boundary& boundary, const Provenance& provenance) {
+std::string written(const cda::Boundary& boundary, const mesh::Provenance& provenance) {
     std::ostringstream out;
     write_3mf(out, boundary, provenance);
     return out.str();

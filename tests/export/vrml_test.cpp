@@ -3,7 +3,7 @@
 // Tests VRML text: groups, polygons and quoted names.
 #include "ncsim/export/vrml.h"
 
-#include "box_part.h"
+#include "support/box_part.h"
 #include "support/count.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 namespace ncsim::exporter {
 namespace {
 
-std::string written(const cda::Boundary& boundary, const Provenance& provenance) {
+std::string written(const cda::Boundary& boundary, const mesh::Provenance& provenance) {
     std::ostringstream out;
     write_vrml(out, boundary, provenance);
     return out.str();
@@ -37,7 +37,7 @@ cda::Boundary pyramid() {
     return b;
 }
 
-Provenance pyramid_lines() {
+mesh::Provenance pyramid_lines() {
     return {{{}, {9, 4}, {7, 4}}, "pyramid.nc"};
 }
 
@@ -131,8 +131,8 @@ cda::Boundary prism(const std::vector<std::array<double, 2>>& outline) {
         b.faces[0].loops[0].push_back(n - 1 - i);
         b.faces[1].loops[0].push_back(n + i);
         const std::uint32_t j = (i + 1) % n;
-        const cda::Vec3 along = b.vertices[j] - b.vertices[i];
-        b.faces.push_back({cda::normalized({along.y, -along.x, 0}),
+        const Vec3 along = b.vertices[j] - b.vertices[i];
+        b.faces.push_back({normalized({along.y, -along.x, 0}),
                            0.0,
                            cda::kStockOrigin,
                            0,
@@ -154,7 +154,7 @@ TEST(WriteVrml, CutsFacesThatTouchThemselvesIntoTriangles) {
 }
 
 TEST(WriteVrml, QuotesTheNameOfTheProgram) {
-    Provenance provenance;
+    mesh::Provenance provenance;
     provenance.program = "a\"b\\c\nd\xFF.nc";
     EXPECT_NE(written({}, provenance)
                   .find("title \"a\\\"b\\\\c\xEF\xBF\xBD"

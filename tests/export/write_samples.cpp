@@ -3,20 +3,20 @@
 // write_samples <folder>: writes parts in every format, for independent readers. An .expect file
 // next to each part has the values that a reader must find: "volume <mm³>", "lines <numbers,
 // ascending>", "faces" and "solids".
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/gltf.h"
 #include "ncsim/export/moving_scene.h"
 #include "ncsim/export/ply.h"
 #include "ncsim/export/png.h"
 #include "ncsim/export/render.h"
-#include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
 #include "ncsim/export/stl.h"
 #include "ncsim/export/threemf.h"
 #include "ncsim/export/vrml.h"
+#include "ncsim/mesh/simplify.h"
 
-#include "box_part.h"
-#include "polytope_part.h"
+#include "support/box_part.h"
+#include "support/polytope_part.h"
 
 #include <cstdlib>
 #include <exception>
@@ -26,7 +26,7 @@
 #include <set>
 #include <string>
 
-namespace ncsim::exporter::test {
+namespace ncsim::exporter {
 
 namespace {
 
@@ -39,7 +39,7 @@ std::ofstream create(const std::filesystem::path& path) {
 }
 
 void write(const std::filesystem::path& stem, const cda::Boundary& boundary,
-           const Provenance& provenance, int faces, int solids) {
+           const mesh::Provenance& provenance, int faces, int solids) {
     const auto file = [&](const char* extension) {
         return create(std::filesystem::path(stem).replace_extension(extension));
     };
@@ -83,19 +83,18 @@ cda::Boundary notched_prism() {
     b.faces.push_back({{0, 0, 1}, 1.0, cut, 0, {{5, 6, 7, 8, 9}}});
     for (std::uint32_t i = 0; i < n; ++i) {
         const std::uint32_t j = (i + 1) % n;
-        const cda::Vec3 along = b.vertices[j] - b.vertices[i];
-        const cda::Vec3 normal = cda::normalized({along.y, -along.x, 0});
-        b.faces.push_back(
-            {normal, cda::dot(normal, b.vertices[i]), cut, 0, {{i, j, j + n, i + n}}});
+        const Vec3 along = b.vertices[j] - b.vertices[i];
+        const Vec3 normal = normalized({along.y, -along.x, 0});
+        b.faces.push_back({normal, dot(normal, b.vertices[i]), cut, 0, {{i, j, j + n, i + n}}});
     }
     b.shells = 1;
     return b;
 }
 
 // Writes the pictures of the part by both renderers.
-void write_pictures(const std::filesystem::path& stem, const BoxPart& part) {
+void write_pictures(const std::filesystem::path& stem, const test::BoxPart& part) {
     const cda::Boundary boundary = boundary_of(part);
-    const Provenance provenance = provenance_of(part);
+    const mesh::Provenance provenance = provenance_of(part);
     RenderOptions options;
     options.width = 640;
     options.height = 480;
@@ -103,16 +102,16 @@ void write_pictures(const std::filesystem::path& stem, const BoxPart& part) {
     auto from_boundary = create(stem.string() + "_boundary.png");
     write_png(from_boundary, render_boundary(boundary, provenance, options));
     auto from_model = create(stem.string() + "_model.png");
-    write_png(from_model, render_model(BoxModel(part), provenance, options));
+    write_png(from_model, render_model(test::BoxModel(part), provenance, options));
 }
 
 // Writes a machine: a slide with a rotary table that carries the part, and a column with two tools
 // in turn.
 void write_machine(const std::filesystem::path& folder) {
-    const BoxPart grooved = grooved_part();
+    const test::BoxPart grooved = test::grooved_part();
     const cda::Boundary part = boundary_of(grooved);
-    const auto body = [&](cda::Vec3 shift) {
-        BoxPart moved = grooved;
+    const auto body = [&](Vec3 shift) {
+        test::BoxPart moved = grooved;
         moved.shift = shift;
         return Body{boundary_of(moved), {200, 120, 40}};
     };
@@ -165,53 +164,54 @@ void write_machine(const std::filesystem::path& folder) {
 void write_all(const std::filesystem::path& folder) {
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
-    const BoxPart grooved = grooved_part();
+    const test::BoxPart grooved = test::grooved_part();
     write(folder / "grooved", boundary_of(grooved), provenance_of(grooved), 25, 1);
     write(folder / "tilted", boundary_of(grooved.tilted()), provenance_of(grooved), 25, 1);
 
     write_pictures(folder / "tilted", grooved.tilted());
 
-    BoxPart far_away = raster_part().tilted();
+    test::BoxPart far_away = test::raster_part().tilted();
     far_away.shift = {1234.5, -4321.25, 987.125};
     write(folder / "far_away", boundary_of(far_away), provenance_of(far_away), 30, 1);
 
     write_pictures(folder / "far_away", far_away);
 
-    Provenance odd_name;
+    mesh::Provenance odd_name;
     odd_name.entries = {{}, {20, 3}};
     odd_name.program =
         "d\xFC"
         "bel \"quoted\" \\ \n \xE2\x82\xAC.nc";  // Latin-1 and UTF-8 mixed
-    write(folder / "plate_with_hole", plate_with_hole(), odd_name, 10, 1);
+    write(folder / "plate_with_hole", test::plate_with_hole(), odd_name, 10, 1);
 
-    const BoxPart vanished = vanished_part();
+    const test::BoxPart vanished = test::vanished_part();
     write(folder / "vanished", boundary_of(vanished), provenance_of(vanished), 0, 0);
 
     // A piece of the part hangs in the air, so there are two solids.
-    write(folder / "polytopes", polytope_part().boundary(), provenance_of_polytope_part(), 0, 2);
+    write(folder / "polytopes", test::polytope_part().boundary(),
+          test::provenance_of_polytope_part(), 0, 2);
 
     // Simplification replaces many vertices of this part.
     constexpr double kCoarse = 0.01;
-    write(folder / "simplified", simplify(polytope_part().boundary(), kCoarse).boundary,
-          provenance_of_polytope_part(), 0, 2);
+    write(folder / "simplified", mesh::simplify(test::polytope_part().boundary(), kCoarse).boundary,
+          test::provenance_of_polytope_part(), 0, 2);
 
     write(folder / "notched", notched_prism(), {{{}, {5, 2}}, "notched.nc"}, 0, 1);
 
-    const BoxPart hollow = hollow_part();
+    const test::BoxPart hollow = test::hollow_part();
     write(folder / "hollow", boundary_of(hollow), provenance_of(hollow), 12, 1);
-    const BoxPart halves = halved_part();
+    const test::BoxPart halves = test::halved_part();
     write_machine(folder);
     write(folder / "halves", boundary_of(halves.tilted()), provenance_of(halves), 12, 2);
 }
 
 }  // namespace
 
-}  // namespace ncsim::exporter::test
+}  // namespace ncsim::exporter
 
 int main(int argc, char** argv) {
     try {
         if (argc != 2) throw std::runtime_error("usage: write_samples <folder>");
-        ncsim::exporter::test::write_all(argv[1]);
+        ncsim::exporter::write_all(argv[1]);
         return EXIT_SUCCESS;
     } catch (const std::exception& e) {
         std::cerr << "write_samples: " << e.what() << '\n';

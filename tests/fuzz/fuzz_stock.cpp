@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const auto part = cda::create(prototype, shape);
         const cda::TreeCda block(shape.outer, shape.lattice);
         // Corners are rounded to 2^-24 of a unit, which counts if the stock is a few units large.
-        const cda::Vec3 extent = shape.outer.bounds.size();
+        const Vec3 extent = shape.outer.bounds.size();
         const double area = 2.0 * (extent.x * extent.y + extent.y * extent.z + extent.z * extent.x);
         test::sound_boundary(dynamic_cast<const cda::TreeCda&>(*part),
                              block.volume() + 200.0 * shape.lattice.unit_mm * area);

@@ -2,7 +2,7 @@
 //
 // Cycles of Klartext and SINUMERIK that mill pockets, slots, studs, faces and threads: what a tool
 // of 10 mm sweeps at the bottom is the area of the cycle, and nothing else.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "gcode/klartext_made.h"
 #include "gcode/sinumerik_made.h"
@@ -179,7 +179,7 @@ TEST(KlartextAreas, StudsStayAndTheBlankGoes) {
     for (double x = -30.0; x <= 30.0; x += 0.71) {
         for (double y = -24.0; y <= 24.0; y += 0.71) {
             const bool is_swept = std::ranges::any_of(
-                path, [&](const Point& p) { return trig::length_of(p.x - x, p.y - y) <= kRadius; });
+                path, [&](const Point& p) { return hypotenuse(p.x - x, p.y - y) <= kRadius; });
             const bool is_blank = stud(x, y) > 0.02 && blank(x, y) < 0.0;
             if (is_blank || stud(x, y) < -0.02) {
                 EXPECT_EQ(is_swept, is_blank) << x << ' ' << y;
@@ -468,7 +468,7 @@ TEST(SinumerikAreas, Face) {
     for (double x = -30.0; x <= 30.0; x += 1.3) {
         for (double y = -20.0; y <= 20.0; y += 1.3) {
             EXPECT_TRUE(std::ranges::any_of(
-                path, [&](const Point& p) { return trig::length_of(p.x - x, p.y - y) <= kRadius; }))
+                path, [&](const Point& p) { return hypotenuse(p.x - x, p.y - y) <= kRadius; }))
                 << x << ' ' << y;
         }
     }

@@ -3,9 +3,9 @@
 // A machine with a table that turns about X, given by formulas.
 #pragma once
 
+#include "ncsim/base/angles.h"
 #include "ncsim/gcode/feature_frame.h"
 #include "ncsim/gcode/joints.h"
-#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ public:
                                   Way /*way*/) const override {
         if (std::abs(axis[0]) > 1e-9) return {std::nullopt, false, "it turns about X alone"};
         Axes out = joints;
-        out[kA] = trig::angle_of(axis[2], -axis[1]);
+        out[kA] = angle_of(axis[2], -axis[1]);
         return {out, false, {}};
     }
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tilted planes of Klartext, with a machine that is given by formulas, compared with G68.2.
+#include "ncsim/base/angles.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/print.h"
-#include "ncsim/trig/angles.h"
 
 #include "gcode/cradle.h"
 

@@ -48,7 +48,7 @@ Distance star(double length, double width, double inner, double first, int count
     std::vector<Distance> slots;
     for (int i = 0; i < count; ++i) {
         const double angle = first + i * 360.0 / count;
-        const trig::SinCos at = trig::sin_cos(angle);
+        const SinCos at = sin_cos(angle);
         const double middle = inner + length / 2.0;
         slots.push_back(rectangle(length, width, width / 2.0, angle, 2.0 + middle * at.cos,
                                   1.0 + middle * at.sin));
@@ -299,18 +299,18 @@ TEST(KlartextPaths, PolygonStud) {
             double most = -1e9;
             double sharp = 1e9;
             for (int i = 0; i < 6; ++i) {
-                const trig::SinCos side = trig::sin_cos(degrees + 30.0 + 60.0 * i);
+                const SinCos side = sin_cos(degrees + 30.0 + 60.0 * i);
                 most = std::max(most, x * side.cos + y * side.sin - (inner - corner));
-                const trig::SinCos at = trig::sin_cos(degrees + 60.0 * i);
-                const double to = (inner - corner) / trig::sin_cos(30.0).cos;
+                const SinCos at = sin_cos(degrees + 60.0 * i);
+                const double to = (inner - corner) / sin_cos(30.0).cos;
                 // Outside of two sides the corner is nearest.
-                const trig::SinCos before = trig::sin_cos(degrees + 60.0 * i - 30.0);
-                const trig::SinCos behind = trig::sin_cos(degrees + 60.0 * i + 30.0);
+                const SinCos before = sin_cos(degrees + 60.0 * i - 30.0);
+                const SinCos behind = sin_cos(degrees + 60.0 * i + 30.0);
                 const double u = x - to * at.cos;
                 const double v = y - to * at.sin;
                 const bool is_at_corner = before.cos * v - before.sin * u >= 0.0 &&
                                           behind.cos * v - behind.sin * u <= 0.0;
-                if (is_at_corner) sharp = std::min(sharp, trig::length_of(u, v));
+                if (is_at_corner) sharp = std::min(sharp, hypotenuse(u, v));
             }
             return (sharp < 1e9 ? sharp : most) - corner;
         };
@@ -332,10 +332,9 @@ TEST(KlartextPaths, PolygonStud) {
         // The blank is gone.
         for (double x = -30.0; x <= 30.0; x += 0.93) {
             for (double y = -30.0; y <= 30.0; y += 0.93) {
-                if (stud(x, y) < 0.02 || trig::length_of(x, y) > 30.0) continue;
+                if (stud(x, y) < 0.02 || hypotenuse(x, y) > 30.0) continue;
                 EXPECT_TRUE(std::ranges::any_of(
-                    path,
-                    [&](const Point& p) { return trig::length_of(p.x - x, p.y - y) <= kRadius; }))
+                    path, [&](const Point& p) { return hypotenuse(p.x - x, p.y - y) <= kRadius; }))
                     << x << ' ' << y;
             }
         }

@@ -3,8 +3,8 @@
 // Random programs with the motions that LinuxCNC's stand-alone interpreter made
 // (rs274_programs.txt, written by tests/nightly/rs274/compare.py), and programs that the
 // interpreter refuses or accepts (rs274_refusals.txt, by refusals.py).
+#include "ncsim/base/angles.h"
 #include "ncsim/gcode/interpreter.h"
-#include "ncsim/trig/angles.h"
 
 #include <gtest/gtest.h>
 
@@ -108,11 +108,11 @@ std::vector<Event> events_of(const Recorded& program, bool& has_errors) {
     for (std::size_t i = 0; i < events.size(); ++i) {
         Event event = events[i];
         if (event.kind != "dwell") {
-            trig::rotate(event.values[0], event.values[1], zero.rotation);
+            rotate(event.values[0], event.values[1], zero.rotation);
             for (std::size_t axis = 0; axis < 4; ++axis)
                 event.values[axis] += zero.origin[axis];
             if (in_xy[i]) {
-                trig::rotate(event.values[4], event.values[5], zero.rotation);
+                rotate(event.values[4], event.values[5], zero.rotation);
                 event.values[4] += zero.origin[kX];
                 event.values[5] += zero.origin[kY];
             } else if (event.kind == "arc") {

@@ -3,7 +3,7 @@
 // Compares what a tool of 10 mm sweeps at a height with an area.
 #pragma once
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "gcode/language_made.h"
 
@@ -27,12 +27,12 @@ using Distance = std::function<double(double x, double y)>;
 inline Distance rectangle(double length, double width, double corner, double degrees = 0.0,
                           double centre_x = 0.0, double centre_y = 0.0) {
     return [=](double x, double y) {
-        const trig::SinCos turn = trig::sin_cos(degrees);
+        const SinCos turn = sin_cos(degrees);
         x -= centre_x;
         y -= centre_y;
         const double u = std::abs(x * turn.cos + y * turn.sin) - (length / 2.0 - corner);
         const double v = std::abs(y * turn.cos - x * turn.sin) - (width / 2.0 - corner);
-        const double outside = trig::length_of(std::max(u, 0.0), std::max(v, 0.0));
+        const double outside = hypotenuse(std::max(u, 0.0), std::max(v, 0.0));
         return outside + std::min(std::max(u, v), 0.0) - corner;
     };
 }
@@ -40,13 +40,13 @@ inline Distance rectangle(double length, double width, double corner, double deg
 /// A band about an arc about the zero.
 inline Distance band(double radius, double width, double start, double opening) {
     return [=](double x, double y) {
-        double angle = trig::angle_of(x, y) - start;
+        double angle = angle_of(x, y) - start;
         while (angle < 0.0)
             angle += 360.0;
-        if (angle <= opening) return std::abs(trig::length_of(x, y) - radius) - width / 2.0;
+        if (angle <= opening) return std::abs(hypotenuse(x, y) - radius) - width / 2.0;
         const auto from_end = [&](double degrees) {
-            const trig::SinCos at = trig::sin_cos(degrees);
-            return trig::length_of(x - radius * at.cos, y - radius * at.sin);
+            const SinCos at = sin_cos(degrees);
+            return hypotenuse(x - radius * at.cos, y - radius * at.sin);
         };
         return std::min(from_end(start), from_end(start + opening)) - width / 2.0;
     };
@@ -71,16 +71,16 @@ inline void add_path(std::vector<Point>& points, const Motion& motion, double he
     if (arc) {
         const double x = from->x.mm() - arc->centre_1.mm();
         const double y = from->y.mm() - arc->centre_2.mm();
-        radius = trig::length_of(x, y);
-        begin = trig::angle_of(x, y);
+        radius = hypotenuse(x, y);
+        begin = angle_of(x, y);
         const double end =
-            trig::angle_of(to->x.mm() - arc->centre_1.mm(), to->y.mm() - arc->centre_2.mm());
+            angle_of(to->x.mm() - arc->centre_1.mm(), to->y.mm() - arc->centre_2.mm());
         sweep = arc->turns > 0 ? end - begin : begin - end;
         while (sweep < 1e-7)
             sweep += 360.0;
         if (arc->turns < 0) sweep = -sweep;
     }
-    const double length = arc ? radius * std::abs(sweep) / 57.0 : trig::length_of(dx, dy);
+    const double length = arc ? radius * std::abs(sweep) / 57.0 : hypotenuse(dx, dy);
     const int count = static_cast<int>(length / kStep) + 1;
     for (int i = 0; i <= count; ++i) {
         const double share = static_cast<double>(i) / count;
@@ -88,7 +88,7 @@ inline void add_path(std::vector<Point>& points, const Motion& motion, double he
             points.push_back({from->x.mm() + share * dx, from->y.mm() + share * dy});
             continue;
         }
-        const trig::SinCos at = trig::sin_cos(begin + share * sweep);
+        const SinCos at = sin_cos(begin + share * sweep);
         points.push_back(
             {arc->centre_1.mm() + radius * at.cos, arc->centre_2.mm() + radius * at.sin});
     }
@@ -133,8 +133,7 @@ inline void expect_rapids_in_cut(const Made& made, double surface) {
         add_path(rapid, motion, surface - 1e-6);
         for (const Point& p : rapid) {
             EXPECT_TRUE(std::ranges::any_of(
-                path,
-                [&](const Point& q) { return trig::length_of(p.x - q.x, p.y - q.y) < kRadius; }))
+                path, [&](const Point& q) { return hypotenuse(p.x - q.x, p.y - q.y) < kRadius; }))
                 << p.x << ' ' << p.y;
         }
     }

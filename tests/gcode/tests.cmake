@@ -1,5 +1,5 @@
 ncsim_add_test(gcode
-  LIBRARIES ncsim::gcode ncsim::trig
+  LIBRARIES ncsim::gcode ncsim::base
   SOURCES
     area_cycles_test.cpp
     codes_test.cpp

@@ -2,8 +2,8 @@
 //
 // Tilted planes, and the words that turn the tool perpendicular to the planes, with a machine that
 // is given by formulas.
+#include "ncsim/base/angles.h"
 #include "ncsim/gcode/interpreter.h"
-#include "ncsim/trig/angles.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ public:
     Solution joints_for_direction(const Triple& axis, const Axes& joints, Way way) const override {
         if (std::abs(axis[0]) > 1e-9) return {std::nullopt, false, "it turns about X alone"};
         Axes out = joints;
-        out[kA] = trig::angle_of(axis[2], -axis[1]);
+        out[kA] = angle_of(axis[2], -axis[1]);
         if (way == Way::Up && out[kA] < joints[kA]) out[kA] += 360.0;
         if (way == Way::Down && out[kA] > joints[kA]) out[kA] -= 360.0;
         return {out, false, {}};

@@ -4,8 +4,8 @@
 // W), and with the formula for rotations about the origin.
 #include "ncsim/machine/chain.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/machine/presets.h"
-#include "ncsim/trig/angles.h"
 
 #include "../support/random.h"
 
@@ -17,8 +17,6 @@
 
 namespace ncsim::machine {
 namespace {
-
-using cda::Vec3;
 
 constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
 
@@ -126,15 +124,15 @@ Pose before(const Values& v) {
     Pose X_WT;
     X_WT.translation = {v[0] + v[6], v[1] + v[7], v[2] + v[8]};
     if (v[3] != 0.0) {
-        const trig::SinCos a = trig::sin_cos(v[3]);
+        const SinCos a = sin_cos(v[3]);
         X_WT = Pose{{Vec3{1, 0, 0}, Vec3{0, a.cos, -a.sin}, Vec3{0, a.sin, a.cos}}, {}} * X_WT;
     }
     if (v[4] != 0.0) {
-        const trig::SinCos b = trig::sin_cos(v[4]);
+        const SinCos b = sin_cos(v[4]);
         X_WT = Pose{{Vec3{b.cos, 0, b.sin}, Vec3{0, 1, 0}, Vec3{-b.sin, 0, b.cos}}, {}} * X_WT;
     }
     if (v[5] != 0.0) {
-        const trig::SinCos c = trig::sin_cos(v[5]);
+        const SinCos c = sin_cos(v[5]);
         X_WT = Pose{{Vec3{c.cos, -c.sin, 0}, Vec3{c.sin, c.cos, 0}, Vec3{0, 0, 1}}, {}} * X_WT;
     }
     const bool is_least = v[5] == 0.0 && (v[3] == 0.0 || v[4] == 0.0);

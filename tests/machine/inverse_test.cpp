@@ -12,9 +12,6 @@
 namespace ncsim::machine {
 namespace {
 
-using cda::normalized;
-using cda::Vec3;
-
 constexpr std::size_t kA = 3, kB = 4, kC = 5;
 
 bool has(const std::vector<Turns>& found, std::size_t i, double qi, std::size_t j, double qj) {

@@ -13,9 +13,6 @@
 namespace ncsim::machine {
 namespace {
 
-using cda::normalized;
-using cda::Vec3;
-
 constexpr std::size_t kA = 3, kB = 4, kC = 5;
 // Normal of the plane of G68.2 I30 J40 K-20.
 const Vec3 kNormal = normalized({0.321393804843, -0.556670399226, 0.766044443119});

@@ -12,7 +12,6 @@
 namespace ncsim::machine {
 namespace {
 
-using cda::Vec3;
 using test::Random;
 
 Vec3 random_vector(Random& random, double reach) {

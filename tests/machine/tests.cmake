@@ -1,5 +1,5 @@
 ncsim_add_test(machine
-  LIBRARIES ncsim::machine ncsim::trig
+  LIBRARIES ncsim::machine
   SOURCES
     chain_test.cpp
     inverse_test.cpp

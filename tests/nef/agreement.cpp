@@ -27,8 +27,6 @@ namespace ncsim::test {
 
 namespace {
 
-using cda::Vec3;
-
 // True if the faces at a place have normals of three directions. Otherwise the place is on an edge,
 // or in a face that two motions left.
 bool spans_space(const std::vector<Vec3>& normals) {
@@ -148,7 +146,7 @@ std::string disagreement_of_program(const std::string& path, std::size_t most) {
     plan.job = setup::job_of({path, std::string(std::istreambuf_iterator<char>(file), {})});
     const simulation::Survey survey = simulation::survey(plan);
     if (!survey.is_ready()) throw std::runtime_error(path + " is not simulated");
-    const cda::Box box = survey.stock->box;
+    const Box box = survey.stock->box;
     toolpath::ToolAccuracy accuracy;
     accuracy.tolerance_mm = plan.tool_tolerance;
     toolpath::Walk walk(kLattice, box, accuracy, {});

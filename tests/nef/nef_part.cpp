@@ -106,13 +106,13 @@ void NefPart::subtract(const cda::Cell& cell) {
     impl_->part = (impl_->part - nef_of(cell)).regularization();
 }
 
-std::vector<cda::Vec3> NefPart::corners() const {
-    std::vector<cda::Vec3> corners;
+std::vector<Vec3> NefPart::corners() const {
+    std::vector<Vec3> corners;
     for (auto v = impl_->part.vertices_begin(); v != impl_->part.vertices_end(); ++v) {
         corners.push_back(
             {rounded(v->point().x()), rounded(v->point().y()), rounded(v->point().z())});
     }
-    std::ranges::sort(corners, {}, [](const cda::Vec3& p) { return std::tuple{p.x, p.y, p.z}; });
+    std::ranges::sort(corners, {}, [](const Vec3& p) { return std::tuple{p.x, p.y, p.z}; });
     return corners;
 }
 

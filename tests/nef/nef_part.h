@@ -8,8 +8,8 @@
 // Source: Laidlaw, Trumbore, Hughes 1986, for the operation but not for the algorithm.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/cell.h"
-#include "ncsim/cda/vec.h"
 
 #include <memory>
 #include <vector>
@@ -28,7 +28,7 @@ public:
     /// Returns the corners of the boundary in lattice units, sorted. Each coordinate is the double
     /// nearest to the exact coordinate. A corner is a point where the boundary is neither flat nor
     /// straight.
-    std::vector<cda::Vec3> corners() const;
+    std::vector<Vec3> corners() const;
     /// Returns the volume in cubic units, the double nearest to the exact volume.
     double volume() const;
 

@@ -3,8 +3,9 @@
 // Checks of a program: stated accuracy, threads, models, points and lines.
 #include "nightly/examine.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "nightly/judge.h"
 #include "nightly/surface.h"
@@ -29,14 +30,14 @@ std::string text_of(const Vec& p) {
     return buffer;
 }
 
-Vec vec_of(const cda::Vec3& v) {
+Vec vec_of(const Vec3& v) {
     return {v.x, v.y, v.z};
 }
 
-std::vector<Vec> vertices_of(const std::vector<cda::Vec3>& vertices) {
+std::vector<Vec> vertices_of(const std::vector<Vec3>& vertices) {
     std::vector<Vec> all;
     all.reserve(vertices.size());
-    for (const cda::Vec3& v : vertices)
+    for (const Vec3& v : vertices)
         all.push_back(vec_of(v));
     return all;
 }
@@ -48,7 +49,7 @@ Surface polygons_of(const cda::Boundary& boundary) {
     return surface;
 }
 
-Surface triangles_of(const cda::TriangleMesh& mesh) {
+Surface triangles_of(const TriangleMesh& mesh) {
     Surface surface{vertices_of(mesh.vertices), {}};
     for (const auto& t : mesh.triangles)
         surface.loops.push_back({t[0], t[1], t[2]});
@@ -297,7 +298,7 @@ private:
     StatedAccuracy stated_;
     Judge judge_;
     cda::Boundary boundary_;
-    cda::TriangleMesh mesh_;
+    TriangleMesh mesh_;
     Surface triangles_;
     double stock_volume_ = 0.0;
     Tally tally_;

@@ -34,7 +34,6 @@
 namespace {
 
 using namespace ncsim;
-using cda::Vec3;
 using test::kLattice;
 
 void require(bool holds, const std::string& what) {

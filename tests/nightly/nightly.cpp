@@ -6,6 +6,7 @@
 // near the surfaces of a part of many hulls against the definition; and for each thirty scenes a
 // random NC program, whose STL and glTF must be closed surfaces in floats. Exit code 1 at the first
 // error, with the seed of the failed case.
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/gltf.h"
 #include "ncsim/export/stl.h"
 
@@ -90,15 +91,15 @@ void membership(std::uint64_t seed, long points) {
     }
     cda::TreeCda part(stock, test::kLattice, {24, 1});
     part.subtract_unmeasured(cells);
-    const cda::TriangleMesh mesh = cda::triangulate(part.boundary());
+    const TriangleMesh mesh = cda::triangulate(part.boundary());
     const auto unit = [&] { return static_cast<double>(random.next() >> 11) * 0x1p-53; };
     for (long i = 0; i < points; ++i) {
         const auto& t = mesh.triangles[random.next() % mesh.triangles.size()];
         double u = unit();
         double v = unit();
         if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
-        const cda::Vec3 a = mesh.vertices[t[0]];
-        const cda::Vec3 on = a + u * (mesh.vertices[t[1]] - a) + v * (mesh.vertices[t[2]] - a);
+        const Vec3 a = mesh.vertices[t[0]];
+        const Vec3 on = a + u * (mesh.vertices[t[1]] - a) + v * (mesh.vertices[t[2]] - a);
         const cda::LatticePoint p = test::kLattice.round(on) + test::random_point(random, 3);
         const auto is_inside = [&](const cda::Cell& cell) {
             return std::all_of(cell.planes.begin(), cell.planes.end(), [&](const cda::Plane& h) {

@@ -68,7 +68,7 @@ std::uint64_t hash_of(const cda::Boundary& boundary) {
     std::uint64_t hash = 0xcbf29ce484222325ULL;
     const auto add = [&hash](std::uint64_t word) { hash = (hash ^ word) * 0x100000001b3ULL; };
     add(boundary.vertices.size());
-    for (const cda::Vec3& v : boundary.vertices) {
+    for (const Vec3& v : boundary.vertices) {
         for (const double x : {v.x, v.y, v.z})
             add(std::bit_cast<std::uint64_t>(x));
     }

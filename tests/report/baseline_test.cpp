@@ -38,7 +38,7 @@ verify::Finding rapid() {
     f.tool = 1;
     f.message = "rapid move through material";
     f.quantity = verify::Quantity{"removed", 800.0, "mm3"};
-    f.point = cda::Vec3{-20.0, 0.0, 9.0};
+    f.point = Vec3{-20.0, 0.0, 9.0};
     f.box = {{-20.0, -5.0, 8.0}, {20.0, 5.0, 10.0}};
     return f;
 }
@@ -124,7 +124,7 @@ TEST(Baseline, KnowsWhereLinksMeet) {
     f.rule = "machine-collision";
     verify::Finding now = f;
     EXPECT_TRUE(is_accepted(f, now));
-    now.point = cda::Vec3{0.0, 0.0, 9.0};
+    now.point = Vec3{0.0, 0.0, 9.0};
     EXPECT_FALSE(is_accepted(f, now));
     now.point.reset();
     EXPECT_FALSE(is_accepted(f, now));

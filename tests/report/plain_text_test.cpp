@@ -24,6 +24,17 @@ TEST(PlainText, HasNoControlCharacters) {
     EXPECT_EQ(one_line("a\nb"), "a?b");
 }
 
+// A terminal may take each byte of an overlong form or of a surrogate for a character of its own.
+TEST(PlainText, HasNoControlCharactersInBytesThatAreNotUtf8) {
+    EXPECT_EQ(printable("\xe0\x80\x9b"
+                        "31m"),
+              "\xe0??31m");
+    EXPECT_EQ(printable("\xed\xa0\x9b"
+                        "31m"),
+              "\xed\xa0?31m");
+    EXPECT_EQ(printable("\xf4\x90\xbf\x9b"), "\xf4?\xbf?");
+}
+
 TEST(PlainText, HasNothingThatACiServiceObeys) {
     EXPECT_EQ(printable("::error::x\n \t::add-mask::y\n\xc2\xa0::z\nok ::w"),
               "?:error::x\n  ?:add-mask::y\n\xc2\xa0?:z\nok ::w");

@@ -31,7 +31,7 @@ Review deeper_pocket() {
     d.differs = true;
     d.old_mm3 = 10'000.0;
     d.new_mm3 = 9'000.0;
-    const cda::Box box{{0, 0, -2}, {10, 10, 0}};
+    const Box box{{0, 0, -2}, {10, 10, 0}};
     d.only_old = {1000.0, {{1000.0, box, {{0, 2, 2}}}}, {"new.nc"}};
     d.process.only_old.push_back({"old.nc", 2, "T1, feed 800 mm/min"});
     d.process.only_new.push_back({"sub.nc", 1, "T1, feed 700 mm/min"});

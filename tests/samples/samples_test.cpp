@@ -2,14 +2,15 @@
 //
 // Samples, from text to surface, with both models: a hundred thousand points near the surface
 // compared with the definition of the part, closed surfaces, and equal pictures.
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/flat.h"
-#include "ncsim/cda/mesh.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
-#include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
+#include "ncsim/mesh/simplify.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/toolpath/sampler.h"
@@ -37,8 +38,6 @@
 
 namespace ncsim {
 namespace {
-
-using cda::Vec3;
 
 // A sample, run once with each model.
 struct Sample {
@@ -121,7 +120,7 @@ TEST_P(Samples, HaveClosedSurfacesOfTheRightVolume) {
     for (const cda::Boundary* boundary : {&s.boundary, &s.flat_boundary}) {
         EXPECT_TRUE(cda::check(*boundary).is_closed());
         EXPECT_LE(cda::check(*boundary).relative_area_sum, 1e-12);
-        const cda::TriangleMesh mesh = cda::triangulate(*boundary);
+        const TriangleMesh mesh = cda::triangulate(*boundary);
         EXPECT_TRUE(cda::check(mesh).is_closed());
         // The flat aggregate counts its volume cut by cut, and the tree sums over its leaves. CGAL,
         // or the stitching, makes the mesh from the facets.
@@ -213,7 +212,7 @@ TEST_P(Samples, AgreeWithTheDefinitionNearTheSurface) {
         }
     });
 
-    const cda::TriangleMesh mesh = cda::triangulate(s.boundary);
+    const TriangleMesh mesh = cda::triangulate(s.boundary);
     test::Random random(7);
     const auto unit = [&] { return static_cast<double>(random.next() >> 11) * 0x1p-53; };
     const double lattice_unit = s.tree.lattice.unit_mm;
@@ -241,7 +240,7 @@ TEST_P(Samples, AgreeWithTheDefinitionNearTheSurface) {
             is_near = is_near || highest > -slack;
             return highest < 0.0;
         };
-        const cda::Box& stock = s.survey.stock->box;
+        const Box& stock = s.survey.stock->box;
         bool expected = stock.contains(p);
         for (const cda::Cell& hull : hulls) {
             if (!expected) break;
@@ -291,7 +290,7 @@ TEST_P(Samples, NameTheLineThatCutEachTriangle) {
         last_way = is_straight ? way : Vec3{};
     });
 
-    const cda::TriangleMesh mesh = cda::triangulate(s.boundary);
+    const TriangleMesh mesh = cda::triangulate(s.boundary);
     test::Random random(11);
     const double slack = 2.0 * s.tree.lattice.unit_mm;
     int cut = 0;
@@ -302,7 +301,7 @@ TEST_P(Samples, NameTheLineThatCutEachTriangle) {
         const cda::BoundaryFace& face = s.boundary.faces[mesh.face[t]];
         const auto line = s.tree.provenance.of(face.origin).nc_line;
         if (line == 0) {
-            const cda::Box& box = s.survey.stock->box;
+            const Box& box = s.survey.stock->box;
             const Vec3 outside = p + 2.0 * slack * face.normal;
             EXPECT_TRUE(box.contains(p - slack * face.normal) && !box.contains(outside));
             continue;
@@ -352,13 +351,12 @@ constexpr std::size_t kFacesOfSimple = 5 + 27 + 12 + 48 + 12 + 10 + 36;
 
 TEST(SampleFaces, OfSimpleAreThoseThatAPersonCounts) {
     const Sample& s = sample("simple");
-    EXPECT_EQ(exporter::simplify(s.boundary, exporter::kFlatTolerance).boundary.faces.size(),
+    EXPECT_EQ(mesh::simplify(s.boundary, mesh::kFlatTolerance).boundary.faces.size(),
               kFacesOfSimple);
-    EXPECT_EQ(exporter::simplify(s.flat_boundary, exporter::kFlatTolerance).boundary.faces.size(),
+    EXPECT_EQ(mesh::simplify(s.flat_boundary, mesh::kFlatTolerance).boundary.faces.size(),
               kFacesOfSimple);
     // No two lines cut the same face: a tool that retracts along its axis cuts no more.
-    const auto by_line =
-        exporter::simplify(s.boundary, exporter::kFlatTolerance, &s.tree.provenance);
+    const auto by_line = mesh::simplify(s.boundary, mesh::kFlatTolerance, &s.tree.provenance);
     EXPECT_EQ(by_line.boundary.faces.size(), kFacesOfSimple);
     std::map<std::uint32_t, std::size_t> faces;
     for (const auto& face : by_line.boundary.faces)
@@ -378,7 +376,7 @@ TEST(SampleFaces, OfSimpleAreThoseThatAPersonCounts) {
 TEST(SampleFaces, OfSimpleStandInFilesOnce) {
     const Sample& s = sample("simple");
     const cda::Boundary part =
-        exporter::simplify(s.boundary, exporter::kFlatTolerance, &s.tree.provenance).boundary;
+        mesh::simplify(s.boundary, mesh::kFlatTolerance, &s.tree.provenance).boundary;
     std::ostringstream step;
     exporter::write_step(step, s.boundary, s.tree.provenance);
     EXPECT_EQ(test::count(step.str(), "ADVANCED_FACE("), kFacesOfSimple);

@@ -57,10 +57,10 @@ TEST(FreeCad, OfATableOfTwo) {
     EXPECT_EQ(file.machine.max_rpm, 6000.0);
     EXPECT_EQ(letters_of(file), "CAXYZ");
     EXPECT_EQ(file.kinematics->travels.at('A').max, 50.0);
-    EXPECT_EQ(file.kinematics->chain.find('C')->through, (cda::Vec3{1, 2, 3}));
+    EXPECT_EQ(file.kinematics->chain.find('C')->through, (Vec3{1, 2, 3}));
     // The table turns by the right hand, so the tool turns in the opposite direction relative to
     // the table.
-    EXPECT_EQ(file.kinematics->chain.find('C')->direction, (cda::Vec3{0, 0, -1}));
+    EXPECT_EQ(file.kinematics->chain.find('C')->direction, (Vec3{0, 0, -1}));
     EXPECT_FALSE(file.kinematics->guess.empty());
     EXPECT_EQ(file.kinematics->unspecified_pivots, "A");
 }

@@ -67,8 +67,8 @@ TEST(FusionMachine, TellsItsAxesAndLimits) {
     for (const machine::Joint& j : file.kinematics->chain.joints)
         letters += j.letter;
     EXPECT_EQ(letters, "CAYXZ");
-    EXPECT_EQ(file.kinematics->chain.find('A')->through, (cda::Vec3{0, 25.4, 5}));
-    EXPECT_EQ(file.kinematics->chain.find('A')->direction, (cda::Vec3{-1, 0, 0}));
+    EXPECT_EQ(file.kinematics->chain.find('A')->through, (Vec3{0, 25.4, 5}));
+    EXPECT_EQ(file.kinematics->chain.find('A')->direction, (Vec3{-1, 0, 0}));
     EXPECT_EQ(file.kinematics->unspecified_pivots, "C");
     EXPECT_NE(file.kinematics->guess, "");
     EXPECT_EQ(file.kinematics->travels.at('A').max, 30);
@@ -148,7 +148,7 @@ TEST(FusionMachine, ReadsATableOnATable) {
     joints[2] = 50;
     joints[3] = 90;
     const machine::Pose X_WT = pose_at(file, joints);
-    EXPECT_NEAR(norm(X_WT.translation - cda::Vec3{0, 0, 51}), 0.0, 1e-9);
+    EXPECT_NEAR(norm(X_WT.translation - Vec3{0, 0, 51}), 0.0, 1e-9);
     EXPECT_NEAR(X_WT.rows[1].z, 1.0, 1e-12);
 }
 
@@ -170,11 +170,11 @@ TEST(FusionMachine, ReadsAHeadAndATable) {
     machine::Values joints{};
     joints[4] = 90;
     const machine::Pose tilted = pose_at(file, joints);
-    EXPECT_NEAR(norm(tilted.translation - cda::Vec3{-200, 0, 200}), 0.0, 1e-9);
+    EXPECT_NEAR(norm(tilted.translation - Vec3{-200, 0, 200}), 0.0, 1e-9);
     EXPECT_NEAR(tilted.rows[0].z, 1.0, 1e-12);
     joints[5] = 90;
     const machine::Pose turned = pose_at(file, joints);
-    EXPECT_NEAR(norm(turned.translation - cda::Vec3{100, 300, 200}), 0.0, 1e-9);
+    EXPECT_NEAR(norm(turned.translation - Vec3{100, 300, 200}), 0.0, 1e-9);
     EXPECT_NEAR(turned.rows[1].z, -1.0, 1e-12);
 }
 

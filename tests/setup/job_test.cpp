@@ -23,7 +23,7 @@ TEST(Job, OfATextHasWhatItsCommentsTell) {
     EXPECT_EQ(job.tools[0].specified_by, toolpath::ValueSource::Comment);
     EXPECT_EQ(job.tools[0].spec.diameter, 6.0);
     ASSERT_TRUE(job.stock);
-    EXPECT_EQ(job.stock->box.size(), (cda::Vec3{40, 30, 10}));
+    EXPECT_EQ(job.stock->box.size(), (Vec3{40, 30, 10}));
     EXPECT_FALSE(job.start);
     EXPECT_FALSE(job.interpreter.read_file);
 }
@@ -31,8 +31,8 @@ TEST(Job, OfATextHasWhatItsCommentsTell) {
 TEST(Job, OptionsComeBeforeComments) {
     JobOptions options;
     options.inches = true;
-    options.start = cda::Vec3{1, 2, 3};
-    options.offsets[1] = cda::Vec3{-100, -50, -300};
+    options.start = Vec3{1, 2, 3};
+    options.offsets[1] = Vec3{-100, -50, -300};
     options.tools.emplace_back();
     options.tools[0].number = 1;
     options.tools[0].kind = toolpath::ToolKind::BallEndMill;
@@ -41,9 +41,9 @@ TEST(Job, OptionsComeBeforeComments) {
     ASSERT_EQ(job.tools.size(), 1U);
     EXPECT_EQ(job.tools[0].specified_by, toolpath::ValueSource::Option);
     EXPECT_EQ(job.tools[0].spec.diameter, 4.0);
-    EXPECT_EQ(job.start, (cda::Vec3{1, 2, 3}));
+    EXPECT_EQ(job.start, (Vec3{1, 2, 3}));
     EXPECT_EQ(job.interpreter.default_units, gcode::DefaultUnits::Inches);
-    EXPECT_EQ(origin_of(job.interpreter, 1), (cda::Vec3{-100, -50, -300}));
+    EXPECT_EQ(origin_of(job.interpreter, 1), (Vec3{-100, -50, -300}));
     EXPECT_FALSE(origin_of(job.interpreter, 2));
 }
 

@@ -20,7 +20,6 @@
 namespace ncsim::setup {
 namespace {
 
-using cda::Vec3;
 using Corners = std::vector<Vec3>;
 
 template <class Read>

@@ -58,20 +58,20 @@ TEST(SetUpsOfAJob, HaveFixturesInTheFrameOfTheirZero) {
     const auto& fixtures = file.set_ups.at(0).fixtures;
     ASSERT_EQ(fixtures.size(), 9U);
     EXPECT_EQ(fixtures[0].name, "v: fixed jaw");
-    EXPECT_EQ(fixtures[0].box.min, (cda::Vec3{-60, -45, -35}));
-    EXPECT_EQ(fixtures[0].box.max, (cda::Vec3{40, -25, 5}));
-    EXPECT_EQ(fixtures[1].box.min, (cda::Vec3{-60, 25, -35}));
+    EXPECT_EQ(fixtures[0].box.min, (Vec3{-60, -45, -35}));
+    EXPECT_EQ(fixtures[0].box.max, (Vec3{40, -25, 5}));
+    EXPECT_EQ(fixtures[1].box.min, (Vec3{-60, 25, -35}));
     EXPECT_EQ(fixtures[2].name, "v: base");
-    EXPECT_EQ(fixtures[2].box.min, (cda::Vec3{-60, -45, -95}));
+    EXPECT_EQ(fixtures[2].box.min, (Vec3{-60, -45, -95}));
     EXPECT_EQ(fixtures[3].name, "v: parallel");
-    EXPECT_EQ(fixtures[3].box.max, (cda::Vec3{40, -20, -5}));
+    EXPECT_EQ(fixtures[3].box.max, (Vec3{40, -20, -5}));
     EXPECT_EQ(fixtures[5].name, "clamp: arm");
-    EXPECT_EQ(fixtures[5].box.min, (cda::Vec3{-20, 20, -5}));
-    EXPECT_EQ(fixtures[5].box.max, (cda::Vec3{0, 80, 7}));
-    EXPECT_EQ(fixtures[6].box.min, (cda::Vec3{-20, 65, -30}));
-    EXPECT_EQ(fixtures[7].box.max, (cda::Vec3{-2, 58, 15}));
+    EXPECT_EQ(fixtures[5].box.min, (Vec3{-20, 20, -5}));
+    EXPECT_EQ(fixtures[5].box.max, (Vec3{0, 80, 7}));
+    EXPECT_EQ(fixtures[6].box.min, (Vec3{-20, 65, -30}));
+    EXPECT_EQ(fixtures[7].box.max, (Vec3{-2, 58, 15}));
     // A fixture in a system of its own does not follow the zero.
-    EXPECT_EQ(fixtures[8].box.min, (cda::Vec3{0, 0, 0}));
+    EXPECT_EQ(fixtures[8].box.min, (Vec3{0, 0, 0}));
 }
 
 TEST(SetUpsOfAJob, AreRefusedWithLineAndColumn) {

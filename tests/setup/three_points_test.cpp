@@ -18,29 +18,29 @@
 namespace ncsim::setup {
 namespace {
 
-using Points = std::array<cda::Vec3, 3>;
+using Points = std::array<Vec3, 3>;
 
 constexpr Points kCorners{{{-40, -25, 0}, {40, -25, 0}, {-40, 25, 3}}};
 
-cda::Vec3 placed(const std::string& turn, cda::Vec3 move, cda::Vec3 p) {
+Vec3 placed(const std::string& turn, Vec3 move, Vec3 p) {
     const auto rows = parse_any_turn(turn.empty() ? "X0" : turn).rows;
-    cda::Vec3 to = move;
+    Vec3 to = move;
     for (std::size_t i = 0; i < 3; ++i)
         to[static_cast<int>(i)] += rows[i][0] * p.x + rows[i][1] * p.y + rows[i][2] * p.z;
     return to;
 }
 
-Points placed(const std::string& turn, cda::Vec3 move, const Points& points) {
+Points placed(const std::string& turn, Vec3 move, const Points& points) {
     Points to;
     for (std::size_t i = 0; i < 3; ++i)
         to[i] = placed(turn, move, points[i]);
     return to;
 }
 
-void expect_motion(const std::string& turn, cda::Vec3 move) {
+void expect_motion(const std::string& turn, Vec3 move) {
     const TurnAndMove found = motion_of(kCorners, placed(turn, move, kCorners));
     // Points off the plane of the three, on both sides.
-    for (const cda::Vec3 p : {cda::Vec3{0, 0, 50}, cda::Vec3{100, 7, -30}})
+    for (const Vec3 p : {Vec3{0, 0, 50}, Vec3{100, 7, -30}})
         EXPECT_LT(norm(placed(found.turn, found.move, p) - placed(turn, move, p)), 1e-6)
             << turn << " instead of " << found.turn;
 }
@@ -65,7 +65,7 @@ TEST(ThreePoints, GiveRightAnglesExactly) {
                 const auto is = parse_any_turn(found.turn.empty() ? "X0" : found.turn).placement;
                 ASSERT_TRUE(is) << found.turn;
                 EXPECT_EQ(is->rows, parse_any_turn(turn).placement->rows) << turn;
-                EXPECT_EQ(found.move, (cda::Vec3{1, 2, -24})) << turn;
+                EXPECT_EQ(found.move, (Vec3{1, 2, -24})) << turn;
             }
         }
     }
@@ -89,7 +89,7 @@ TEST(ThreePoints, AreReadFromAJob) {
     const JobFile file = parse_job_file(
         {"job.toml", head + "now = [[-40, 25, -24], [40, 25, -24], [-40, -25, -24]] }\n"});
     EXPECT_EQ(file.set_ups.at(1).turn, "X180");
-    EXPECT_EQ(file.set_ups.at(1).move, (cda::Vec3{0, 0, -24}));
+    EXPECT_EQ(file.set_ups.at(1).move, (Vec3{0, 0, -24}));
     const auto refusal = [](const std::string& text) -> std::string {
         try {
             (void)parse_job_file({"job.toml", text});

@@ -15,8 +15,6 @@
 namespace ncsim::setup {
 namespace {
 
-using cda::Vec3;
-
 class Files : public InputSet {
 public:
     std::map<std::string, std::string> texts;

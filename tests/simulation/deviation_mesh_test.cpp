@@ -3,8 +3,8 @@
 // Distances of surfaces from designs that are known without a search.
 #include "deviation_mesh.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/cda/check.h"
-#include "ncsim/trig/angles.h"
 
 #include <gtest/gtest.h>
 
@@ -15,11 +15,9 @@
 namespace ncsim::simulation {
 namespace {
 
-using cda::Vec3;
-
 // Returns a box with two triangles a face: bottom, top, and the four sides.
-cda::TriangleMesh box(Vec3 min, Vec3 max) {
-    cda::TriangleMesh mesh;
+TriangleMesh box(Vec3 min, Vec3 max) {
+    TriangleMesh mesh;
     for (int i = 0; i < 8; ++i)
         mesh.vertices.push_back({(i & 1) != 0 ? max.x : min.x, (i & 2) != 0 ? max.y : min.y,
                                  (i & 4) != 0 ? max.z : min.z});
@@ -30,8 +28,8 @@ cda::TriangleMesh box(Vec3 min, Vec3 max) {
 }
 
 // Returns a prism along X with this profile, the lower side at z = 0.
-cda::TriangleMesh prism(double length, int steps, const std::function<double(double)>& height) {
-    cda::TriangleMesh mesh;
+TriangleMesh prism(double length, int steps, const std::function<double(double)>& height) {
+    TriangleMesh mesh;
     const auto columns = static_cast<std::uint32_t>(steps + 1);
     for (const double x : {0.0, length}) {
         for (const bool top : {false, true}) {
@@ -59,7 +57,7 @@ cda::TriangleMesh prism(double length, int steps, const std::function<double(dou
     return mesh;
 }
 
-double area(const cda::TriangleMesh& mesh) {
+double area(const TriangleMesh& mesh) {
     double sum = 0.0;
     for (const auto& [a, b, c] : mesh.triangles) {
         const auto& p = mesh.vertices;
@@ -78,7 +76,7 @@ double distance_from_box(Vec3 p, Vec3 min, Vec3 max) {
     return inside >= 0.0 ? -inside : norm(beyond);
 }
 
-Design design_of(cda::TriangleMesh mesh, double tolerance_mm) {
+Design design_of(TriangleMesh mesh, double tolerance_mm) {
     Design design;
     design.mesh = std::move(mesh);
     design.tolerance_mm = tolerance_mm;
@@ -102,7 +100,7 @@ TEST(DeviationMesh, VerticesHaveTheirDistancesFromABox) {
 }
 
 TEST(DeviationMesh, KeepsTheSurfaceAndItsFaces) {
-    const cda::TriangleMesh part = box({0, 0, 0}, {40, 30, 10});
+    const TriangleMesh part = box({0, 0, 0}, {40, 30, 10});
     const report::DeviationMesh made =
         deviation_mesh(part, design_of(box({1, 1, 1}, {39, 31, 9}), 0.05));
     EXPECT_GT(made.mesh.triangles.size(), 100U);
@@ -116,7 +114,7 @@ TEST(DeviationMesh, KeepsTheSurfaceAndItsFaces) {
     for (std::size_t t = 0; t < made.mesh.triangles.size(); ++t) {
         const std::uint32_t face = made.mesh.face[t];
         const auto& [a, b, c] = part.triangles[2 * face];
-        const Vec3 n = cda::normalized(
+        const Vec3 n = normalized(
             cross(part.vertices[b] - part.vertices[a], part.vertices[c] - part.vertices[a]));
         for (const std::uint32_t v : made.mesh.triangles[t])
             EXPECT_NEAR(dot(n, made.mesh.vertices[v] - part.vertices[a]), 0.0, 1e-9);
@@ -126,7 +124,7 @@ TEST(DeviationMesh, KeepsTheSurfaceAndItsFaces) {
 // The design is a wave, the part a flat plate: between any two adjacent vertices the distance is
 // linear within half of the tolerance.
 TEST(DeviationMesh, DistancesBetweenVerticesAreLinear) {
-    const auto wave = [](double y) { return 9.0 + trig::sin_cos(24.0 * y).sin; };
+    const auto wave = [](double y) { return 9.0 + sin_cos(24.0 * y).sin; };
     const Design design = design_of(prism(40.0, 240, wave), 0.1);
     const report::DeviationMesh made = deviation_mesh(box({0, 0, 0}, {40, 30, 9}), design);
     const double size = norm(Vec3{40, 30, 9});

@@ -24,7 +24,7 @@ namespace {
 // A slot whose cut is in another file: each interpretation of the program reads it once.
 Plan plan_of_call(int& reads) {
     setup::JobOptions options;
-    options.start = cda::Vec3{0, 0, 50};
+    options.start = Vec3{0, 0, 50};
     Plan plan;
     plan.job = setup::job_of({"slot.nc",
                               "(T1 D=6. CR=0. - flat end mill)\n"

@@ -30,7 +30,7 @@ struct Operations {
 
 Operations operations_of(const std::string& text, double join_tolerance = 0.0) {
     setup::JobOptions options;
-    options.start = cda::Vec3{0, 0, 50};
+    options.start = Vec3{0, 0, 50};
     Plan plan;
     plan.job = setup::job_of({"part.nc", text}, options);
     plan.join_tolerance = join_tolerance;

@@ -22,7 +22,7 @@ using toolpath::Pose;
 std::vector<Motion> moves_of(const std::string& program, const machine::Chain& chain,
                              const machine::Travels& travels = {}) {
     setup::JobOptions options;
-    options.start = cda::Vec3{0, 0, 0};
+    options.start = Vec3{0, 0, 0};
     Plan plan;
     plan.job = setup::job_of({"a.nc",
                               "(T1 D=6. CR=0. - flat end mill)\n"
@@ -45,7 +45,7 @@ std::vector<Motion> moves_of(const std::string& program, const machine::Chain& c
 
 machine::Chain with_iso_signs(machine::Chain chain) {
     for (machine::Joint& joint : chain.joints) {
-        const cda::Vec3& u = joint.direction;
+        const Vec3& u = joint.direction;
         if (joint.turns && (u.x < 0 || u.y < 0 || u.z < 0)) joint.direction = -u;
     }
     return chain;
@@ -85,8 +85,8 @@ TEST(Orientation, IsTheSameOnThePartOnEveryMachine) {
         const toolpath::Kinematics placed{chain, {}};
         const Pose X_WT = toolpath::Poses(&placed, moves[4]).at(*end_of(moves[4]));
         const gcode::Triple tip = frame.direction_to_parent({1, 2, 2}), axis = frame.normal();
-        EXPECT_LT(norm(X_WT.translation - cda::Vec3{tip[0] + 10, tip[1] + 20, tip[2] - 5}), 1e-9);
-        EXPECT_LT(norm(axis_of(X_WT) - cda::Vec3{axis[0], axis[1], axis[2]}), 1e-9) << name;
+        EXPECT_LT(norm(X_WT.translation - Vec3{tip[0] + 10, tip[1] + 20, tip[2] - 5}), 1e-9);
+        EXPECT_LT(norm(axis_of(X_WT) - Vec3{axis[0], axis[1], axis[2]}), 1e-9) << name;
         // Each move starts at the end of the previous move, in either mode of coordinates.
         for (std::size_t i = 1; i < moves.size(); ++i) {
             const Pose before = toolpath::Poses(&placed, moves[i - 1]).at(*end_of(moves[i - 1]));
@@ -125,7 +125,7 @@ TEST(Orientation, AnArcInAPlaneIsRoundOnThePart) {
     EXPECT_GT(samples.poses.size(), 50U);
     const gcode::FeatureFrame frame =
         gcode::turn_about(2, 30) * gcode::turn_about(0, 40) * gcode::turn_about(2, -20);
-    const cda::Box box = toolpath::extent_of_path(moves.back(), {nullptr, moves.back()});
+    const Box box = toolpath::extent_of_path(moves.back(), {nullptr, moves.back()});
     for (const Pose& pose : samples.poses) {
         const gcode::Triple p =
             frame.from_parent({pose.translation.x, pose.translation.y, pose.translation.z});

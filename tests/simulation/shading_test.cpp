@@ -22,10 +22,6 @@ namespace ncsim::simulation {
 namespace {
 
 using brep::Shading;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-using cda::Vec3;
 
 struct Milled {
     Simulation simulation;
@@ -38,7 +34,7 @@ struct Milled {
         std::set<std::uint32_t> corners;
         for (const cda::BoundaryFace& face : boundary().faces) {
             if (face.origin == cda::kStockOrigin || face.normal.z > most_up) continue;
-            cda::Box box;
+            Box box;
             for (const std::uint32_t v : face.loops[0])
                 box.add(boundary().vertices[v]);
             if (box.size().x > 30.0) corners.insert(face.loops[0].begin(), face.loops[0].end());

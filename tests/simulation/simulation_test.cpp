@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The functions behind ncsim run, check and diff, called without a command line.
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/simulation/compare_parts.h"
 #include "ncsim/simulation/design_check.h"
 #include "ncsim/simulation/program_check.h"
@@ -28,7 +28,7 @@ const std::string kSlot =
     "G21 G90 T1 M6 S8000 M3\nG0 X-5. Y20. Z5.\nG0 Z-5.\nG1 X45. F300.\nG0 Z5.\nM30\n";
 
 Plan plan_of(const std::string& text, setup::JobOptions options = {}) {
-    options.start = cda::Vec3{0, 0, 50};
+    options.start = Vec3{0, 0, 50};
     Plan plan;
     plan.job = setup::job_of({"slot.nc", text}, std::move(options));
     return plan;
@@ -70,7 +70,7 @@ toolpath::Stock block_of_contour(const std::string& start) {
 }
 
 TEST(GuessedBlock, EndsAtThePartNotAtLeadIns) {
-    const cda::Box far = block_of_contour("G0 X-25. Y-5. Z5.\nG0 Z-5.\n").box;
+    const Box far = block_of_contour("G0 X-25. Y-5. Z5.\nG0 Z-5.\n").box;
     EXPECT_EQ(far.min.x, -15.0);
     EXPECT_EQ(far.max.x, 95.0);
     EXPECT_EQ(far.min.y, -14.0);
@@ -253,7 +253,7 @@ TEST(Simulation, ATurnThatEndsOutsideIsOfItsOwnLine) {
     for (const cda::BoundaryFace& face : part.boundary->faces) {
         const auto line = part.provenance.of(face.origin).nc_line;
         if (line == 0) continue;
-        const cda::Vec3 corner = part.boundary->vertices[face.loops[0][0]];
+        const Vec3 corner = part.boundary->vertices[face.loops[0][0]];
         EXPECT_EQ(line, corner.x < 20 ? 7U : 10U);
         beside += corner.x < 20 ? 1 : 0;
     }

@@ -1,5 +1,5 @@
 ncsim_add_test(simulation
-  LIBRARIES ncsim::simulation ncsim::trig
+  LIBRARIES ncsim::simulation
   SOURCES
     deviation_mesh_test.cpp
     messages_test.cpp

@@ -3,13 +3,13 @@
 // Triangle mesh of a cube.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 
 namespace ncsim::test {
 
 /// Returns a cube of 1 mm with two triangles per face: bottom, top, and the four sides in order.
-inline cda::TriangleMesh cube() {
-    cda::TriangleMesh mesh;
+inline TriangleMesh cube() {
+    TriangleMesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                      {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
     mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},

@@ -15,7 +15,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace ncsim::exporter::test {
+namespace ncsim::test {
 
 namespace {
 
@@ -32,19 +32,19 @@ std::string bytes_of(const std::string& path) {
 
 }  // namespace
 
-void expect_like_golden(const Image& image, const std::string& file) {
+void expect_like_golden(const exporter::Image& image, const std::string& file) {
     const std::string golden_path = std::string(NCSIM_SOURCE_DIR "/tests/") + file;
     if (std::getenv("NCSIM_UPDATE_GOLDENS") != nullptr) {
         std::ofstream out(golden_path, std::ios::binary);
-        write_png(out, image);
+        exporter::write_png(out, image);
     }
-    const Image golden = read_png(bytes_of(golden_path));
+    const exporter::Image golden = read_png(bytes_of(golden_path));
     ASSERT_EQ(image.width, golden.width);
     ASSERT_EQ(image.height, golden.height);
     std::size_t different = 0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        const Rgba8 a = image.pixels[i];
-        const Rgba8 b = golden.pixels[i];
+        const exporter::Rgba8 a = image.pixels[i];
+        const exporter::Rgba8 b = golden.pixels[i];
         const int difference =
             std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
         different += difference > kTolerance ? 1 : 0;
@@ -53,8 +53,8 @@ void expect_like_golden(const Image& image, const std::string& file) {
     const std::string actual_path =
         testing::TempDir() + std::filesystem::path(file).stem().string() + ".actual.png";
     std::ofstream out(actual_path, std::ios::binary);
-    write_png(out, image);
+    exporter::write_png(out, image);
     ADD_FAILURE() << different << " pixels of " << actual_path << " are not as in " << golden_path;
 }
 
-}  // namespace ncsim::exporter::test
+}  // namespace ncsim::test

@@ -7,7 +7,7 @@
 
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/workpiece.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 
 #include <cstdint>
 #include <string>
@@ -29,7 +29,7 @@ NcProgram random_program(std::uint64_t seed, bool rotary = false);
 
 struct MilledPart {
     cda::Boundary boundary;
-    exporter::Provenance provenance;
+    mesh::Provenance provenance;
     double volume = 0.0;  ///< Volume according to the aggregate, mm³.
 };
 

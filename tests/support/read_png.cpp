@@ -7,16 +7,16 @@
 
 #include <stdexcept>
 
-namespace ncsim::exporter::test {
+namespace ncsim::test {
 
-Image read_png(const std::string& bytes) {
+exporter::Image read_png(const std::string& bytes) {
     png_image header{};
     header.version = PNG_IMAGE_VERSION;
     if (png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()) == 0) {
         throw std::runtime_error(header.message);
     }
     header.format = PNG_FORMAT_RGBA;
-    Image image{header.width, header.height, {}};
+    exporter::Image image{header.width, header.height, {}};
     image.pixels.resize(std::size_t{header.width} * header.height);
     if (png_image_finish_read(&header, nullptr, image.pixels.data(), 0, nullptr) == 0) {
         throw std::runtime_error(header.message);
@@ -24,4 +24,4 @@ Image read_png(const std::string& bytes) {
     return image;
 }
 
-}  // namespace ncsim::exporter::test
+}  // namespace ncsim::test

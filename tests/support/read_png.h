@@ -7,10 +7,10 @@
 
 #include <string>
 
-namespace ncsim::exporter::test {
+namespace ncsim::test {
 
 /// Returns the picture in the bytes of a PNG file.
 /// Throws: std::runtime_error if `bytes` holds no picture.
-Image read_png(const std::string& bytes);
+exporter::Image read_png(const std::string& bytes);
 
-}  // namespace ncsim::exporter::test
+}  // namespace ncsim::test

@@ -7,8 +7,8 @@
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/flat.h"
-#include "ncsim/cda/mesh.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "support/oracle.h"
 

@@ -13,7 +13,6 @@
 namespace ncsim::toolpath {
 namespace {
 
-using cda::Vec3;
 using gcode::Angle;
 using gcode::Length;
 using gcode::Motion;

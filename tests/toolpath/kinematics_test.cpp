@@ -20,7 +20,6 @@
 namespace ncsim::toolpath {
 namespace {
 
-using cda::Vec3;
 using gcode::Length;
 using gcode::Position;
 using machine::joint_of;
@@ -128,7 +127,7 @@ struct Case {
         coarse.rotation_miss_mm = random.within(0.05, 1.0);
         coarse.rotation_gain_mm = random.within(0.5, 3.0);
         const ToolExtent extent = extent_of(flat_end_mill(2 * tool.radius, tool.height));
-        std::optional<cda::Box> place;
+        std::optional<Box> place;
         if (random.one_in(2)) {
             place.emplace();
             place->add(Vec3{random.within(-60, 0), random.within(-60, 0), random.within(-60, 0)});
@@ -137,7 +136,7 @@ struct Case {
         samples = sample(motion, extent, coarse, place, &specified);
         where = place;
     }
-    std::optional<cda::Box> where;
+    std::optional<Box> where;
     Pose pose(double t) const {
         const auto& m = std::get<gcode::Linear>(motion.action);
         return Poses(&specified, motion).at(interpolate(m.from, m.to, t));
@@ -287,7 +286,7 @@ TEST(SpecifiedMachine, AToolStraysNoFartherThanToldFromWhereItIsAtTheEnds) {
 
 // At 15 degrees the tool leaves the upper side of a wide stock at once.
 TEST(SpecifiedMachine, AToolIsCutOffWhereItLeavesTheStock) {
-    const cda::Box stock{{-100, -100, -30}, {100, 100, 0}};
+    const Box stock{{-100, -100, -30}, {100, 100, 0}};
     const ToolExtent tool = extent_of(flat_end_mill(6, 40));
     const auto top_of = [&](const gcode::Motion& motion, const Kinematics* specified) {
         return sample(motion, tool, {}, stock, specified).turning.top_mm;
@@ -320,7 +319,7 @@ TEST(SpecifiedMachine, AWordAlongTheToolIsAMoveOfXAndZ) {
         const Vec3 way = samples.poses[1].translation - samples.poses[0].translation;
         EXPECT_LT(norm(way - Vec3{-10 * s, 0, -10 * c}), 1e-12);
         EXPECT_LT(norm(axis_of(samples.poses[1]) - Vec3{s, 0, c}), 1e-15);
-        const cda::Box box = extent_of_path(m, {&specified, m});
+        const Box box = extent_of_path(m, {&specified, m});
         if (mode == gcode::Coordinates::Axes) continue;
         EXPECT_LT(norm(box.min - Vec3{1 - 10 * s, 2, 3 - 10 * c}), 1e-12);
         EXPECT_EQ(box.max, (Vec3{1, 2, 3}));
@@ -347,7 +346,7 @@ TEST(SpecifiedMachine, TheExtentHoldsTheWayWhateverUVWDo) {
         }
         c.motion.coordinates = gcode::Coordinates::Tip;
         const Poses poses(&c.specified, c.motion);
-        const cda::Box box = extent_of_path(c.motion, poses);
+        const Box box = extent_of_path(c.motion, poses);
         for (const Pose& pose : sample(c.motion, {}, {.max_steps = 40}, {}, &c.specified).poses) {
             for (int axis = 0; axis < 3; ++axis) {
                 ASSERT_GE(pose.translation[axis], box.min[axis] - 1e-9) << i;

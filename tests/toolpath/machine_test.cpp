@@ -10,7 +10,6 @@
 namespace ncsim::toolpath {
 namespace {
 
-using cda::Vec3;
 using gcode::Length;
 using gcode::Position;
 

@@ -24,7 +24,6 @@
 namespace ncsim::toolpath {
 namespace {
 
-using cda::Vec3;
 using gcode::Angle;
 using gcode::Length;
 using gcode::Position;
@@ -73,7 +72,7 @@ Vec3 to_tool(const Pose& X_WT, Vec3 p_W) {
 struct Case {
     ToolPiece piece;
     Position from, to;
-    std::optional<cda::Box> place;
+    std::optional<Box> place;
 
     Position at(double t) const {
         const auto between = [t](double a, double b) { return a + t * (b - a); };
@@ -171,7 +170,7 @@ Case random_case(test::Random& random) {
         // A box around a point of the tool; most of the tool is outside the box.
         const Vec3 at = pose_at(c.from) * Vec3{0, 0, random.within(0, 20)};
         const double size = random.within(2, 20);
-        c.place = cda::Box{at - Vec3{size, size, size}, at + Vec3{size, size, size}};
+        c.place = Box{at - Vec3{size, size, size}, at + Vec3{size, size, size}};
     }
     return c;
 }
@@ -392,7 +391,7 @@ TEST(RotationBounds, ACylinderGainsByItsHeightOrByItsWidthAndNotByBoth) {
 
 // A table at C90 with the stock does not change the effect of A and B.
 TEST(RotationBounds, AxesThatStandStillTurnTheOnesBeforeThem) {
-    const auto bounds = [](double b, double c, cda::Box place) {
+    const auto bounds = [](double b, double c, Box place) {
         return Case{ball_end_mill(10, 60).pieces[0], place_at(0, 50, 5, 0, b, c),
                     place_at(0, 50, 5, 4, b, c), place}
             .samples()
@@ -407,7 +406,7 @@ TEST(RotationBounds, AxesThatStandStillTurnTheOnesBeforeThem) {
 }
 
 TEST(RotationBounds, ABallFarFromTheAxisGainsNothingOfFirstOrder) {
-    const cda::Box place{{-5, -45, -45}, {5, 45, 45}};
+    const Box place{{-5, -45, -45}, {5, 45, 45}};
     const Case c{ball_end_mill(10, 60).pieces[0], place_at(0, 0, 40, 0, 0, 0),
                  place_at(0, 0, 40, 1, 0, 0), place};
     const Samples s = c.samples();
@@ -462,7 +461,7 @@ TEST(Walk, TakesStepsThatAreSmallEnoughForShanksWhereTheyAreWatched) {
     motion.kind = gcode::MoveKind::Feed;
     motion.tool = 1;
     motion.known_start = motion.known_end = {true, true, true};
-    const cda::Box stock{{-50, -50, -50}, {50, 50, 50}};
+    const Box stock{{-50, -50, -50}, {50, 50, 50}};
     const auto worst_of_shank = [&](bool shanks) {
         Walk walk(cda::Lattice::for_stock(stock), stock, {}, {}, {}, {{}, shanks});
         walk.add_tool(1, tool);
@@ -482,7 +481,7 @@ TEST(Walk, TakesStepsThatAreSmallEnoughForShanksWhereTheyAreWatched) {
 // rest, and no step is added for facets.
 TEST(Walk, LeavesFacetsWhatStepsDoNotGain) {
     const Tool tool = flat_end_mill(6.0, 6.0);
-    const cda::Box stock{{-20, -20, -20}, {20, 20, 0}};
+    const Box stock{{-20, -20, -20}, {20, 20, 0}};
     const double most = SamplingOptions{}.rotation_gain_mm;
     const auto turned = [&](double degrees) {
         Walk walk(cda::Lattice::for_stock(stock), stock, {}, {});

@@ -15,7 +15,6 @@
 namespace ncsim::toolpath {
 namespace {
 
-using cda::Vec3;
 using gcode::Length;
 using gcode::Motion;
 using gcode::Position;
@@ -56,11 +55,11 @@ TEST(ExtentOfPath, OfArcsAndSpiralsIsExact) {
         const Motion m = arc(place(c1 + r0 * std::cos(a0), c2 + r0 * std::sin(a0), number(-9, 9)),
                              place(c1 + r1 * std::cos(a1), c2 + r1 * std::sin(a1), number(-9, 9)),
                              plane, c1, c2, turns == 0 ? 1 : turns);
-        const cda::Box exact = extent_of_path(m, {nullptr, m});
+        const Box exact = extent_of_path(m, {nullptr, m});
         SamplingOptions fine;
         fine.chord_tolerance_mm = 1e-9;
         fine.max_steps = 20000;
-        cda::Box seen;
+        Box seen;
         for (const Pose& p : sample(m, {}, fine).poses)
             seen.add(p.translation);
         for (int axis = 0; axis < 3; ++axis) {
@@ -75,11 +74,10 @@ TEST(ExtentOfPath, OfArcsAndSpiralsIsExact) {
 
 TEST(ExtentOfPath, OfAQuarterAndAHundredThousandTurns) {
     const auto extent_of = [](const Motion& m) { return extent_of_path(m, {nullptr, m}); };
-    const cda::Box quarter = extent_of(arc(at(10, 0, 0), at(0, 10, 0), gcode::Plane::XY, 0, 0, 1));
-    EXPECT_EQ(quarter, (cda::Box{{0, 0, 0}, {10, 10, 0}}));
-    const cda::Box many =
-        extent_of(arc(at(10, 0, 0), at(10, 0, -5), gcode::Plane::XY, 0, 0, -100000));
-    EXPECT_EQ(many, (cda::Box{{-10, -10, -5}, {10, 10, 0}}));
+    const Box quarter = extent_of(arc(at(10, 0, 0), at(0, 10, 0), gcode::Plane::XY, 0, 0, 1));
+    EXPECT_EQ(quarter, (Box{{0, 0, 0}, {10, 10, 0}}));
+    const Box many = extent_of(arc(at(10, 0, 0), at(10, 0, -5), gcode::Plane::XY, 0, 0, -100000));
+    EXPECT_EQ(many, (Box{{-10, -10, -5}, {10, 10, 0}}));
 }
 
 TEST(Sample, OfADwellIsEmpty) {
@@ -233,13 +231,12 @@ TEST(Sample, OfAnArcThatTurnsTheToolKeepsTheToleranceOfBoth) {
 // High above a relevant box, no volume is missed or gained; the path must still have enough steps
 // for drawing.
 TEST(Sample, ATurnIsNeverOneStepThroughThePart) {
-    const cda::Box place{{-10, -10, -10}, {10, 10, 10}};
+    const Box place{{-10, -10, -10}, {10, 10, 10}};
     const Motion m = line(at(0, 0, 80), at(0, 0, 80, 720));
     const Samples samples = sample(m, kTool, {}, place);
     ASSERT_GE(samples.poses.size(), 145U);
     for (std::size_t i = 1; i < samples.poses.size(); ++i) {
-        const cda::Vec3 middle =
-            0.5 * (samples.poses[i - 1].translation + samples.poses[i].translation);
+        const Vec3 middle = 0.5 * (samples.poses[i - 1].translation + samples.poses[i].translation);
         EXPECT_GT(norm(middle), 79.9);
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/toolpath/spline_arcs.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "motion/axis_path.h"
 
@@ -18,8 +18,6 @@
 namespace ncsim::toolpath {
 namespace {
 
-using cda::norm;
-using cda::Vec3;
 using gcode::Length;
 using gcode::Spline;
 
@@ -39,7 +37,7 @@ Spline spline_of(const std::vector<std::array<double, 3>>& points, int order,
 
 Vec3 at(const SplinePiece& piece, double t) {
     if (!(piece.radius > 0.0)) return piece.from + t * (piece.to - piece.from);
-    const auto angle = trig::sin_cos(t * piece.swept_degrees);
+    const auto angle = sin_cos(t * piece.swept_degrees);
     const Vec3 out = piece.from - piece.centre;
     return piece.centre + angle.cos * out + angle.sin * Vec3{-out.y, out.x, 0.0};
 }

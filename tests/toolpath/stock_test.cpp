@@ -10,9 +10,6 @@
 namespace ncsim::toolpath {
 namespace {
 
-using cda::Box;
-using cda::Vec3;
-
 std::optional<Stock> parsed(const char* text) {
     std::string message;
     const auto stock = parse_stock_option(text, message);
@@ -154,9 +151,9 @@ TEST(DerivedStock, OfAPartThatTurnsIsABarAboutTheAxis) {
     const DerivedStock s = derive_bar({{10, -3, -3}, {90, 3, 40}}, 0, 18.5);
     EXPECT_TRUE(s.stock.is_round);
     EXPECT_EQ(s.stock.axis, 0);
-    EXPECT_EQ(s.stock.box, (cda::Box{{6, -18.5, -18.5}, {94, 18.5, 18.5}}));
-    const cda::Box block = derive_block({{-10, -20, -30}, {10, 20, 30}}).stock.box;
-    EXPECT_EQ(block, (cda::Box{{-12, -22, -33}, {12, 22, 33}}));
+    EXPECT_EQ(s.stock.box, (Box{{6, -18.5, -18.5}, {94, 18.5, 18.5}}));
+    const Box block = derive_block({{-10, -20, -30}, {10, 20, 30}}).stock.box;
+    EXPECT_EQ(block, (Box{{-12, -22, -33}, {12, 22, 33}}));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 ncsim_add_test(toolpath
-  LIBRARIES ncsim::toolpath ncsim::trig
+  LIBRARIES ncsim::toolpath
   SOURCES
     joint_path_test.cpp
     kinematics_test.cpp

@@ -95,8 +95,8 @@ TEST(ToolFile, OfCamoticsIsAProjectWithItsWorkpiece) {
     const ToolFile file = read_tool_file({"a.camotics", project});
     EXPECT_EQ(file.inches, true);
     ASSERT_TRUE(file.stock);
-    EXPECT_EQ(file.stock->box.min, (cda::Vec3{-2, -1, -32}));
-    EXPECT_EQ(file.stock->box.max, (cda::Vec3{92, 89, 0}));
+    EXPECT_EQ(file.stock->box.min, (Vec3{-2, -1, -32}));
+    EXPECT_EQ(file.stock->box.max, (Vec3{92, 89, 0}));
     EXPECT_EQ(file.tools.at(2).spec.angle, 90.0);
     EXPECT_FALSE(read_tool_file({"", R"({"workpiece":{"automatic":true,
         "bounds":{"min":[0,0,0],"max":[1,1,1]}}})"})

@@ -36,7 +36,7 @@ std::int64_t largest_x(const PiecePolytope& piece) {
 
 // Returns the signed distance of a point from a ball end mill of radius r, positive outside. The
 // point is at or below the upper end.
-double outside_ball_nose(cda::Vec3 p, double r) {
+double outside_ball_nose(Vec3 p, double r) {
     const double aside = std::hypot(p.x, p.y);
     return p.z < r ? std::hypot(aside, p.z - r) - r : aside - r;
 }
@@ -98,7 +98,7 @@ TEST(ToolPolytope, StaysWithinTheToleranceItReports) {
             EXPECT_LE(flat.error_mm, tolerance);
             EXPECT_LE(ball.error_mm, tolerance);
             for (const auto& corner : flat.points_T) {
-                const cda::Vec3 p = kLattice.to_mm(corner);
+                const Vec3 p = kLattice.to_mm(corner);
                 EXPECT_LE(std::hypot(p.x, p.y) - r, flat.error_mm);
                 EXPECT_GE(std::hypot(p.x, p.y), r);
             }
@@ -158,7 +158,7 @@ TEST(ToolPolytope, CircumscribedContainsAConeWithoutACylinderBesideIt) {
         SCOPED_TRACE(testing::Message() << name_of(tool.kind) << ' ' << piece.profile[1].height);
         const cda::ConvexPolytope outer = polytope_of(approximate(piece, kLattice, {0.2}));
         for (const auto& facet : outer.facets()) {
-            const cda::Vec3 n = unit_normal(facet.plane);
+            const Vec3 n = unit_normal(facet.plane);
             for (const ProfilePoint& p : piece.profile) {
                 const double farthest = std::hypot(n.x, n.y) * p.radius + n.z * p.height;
                 EXPECT_GE(offset_mm(facet.plane, kLattice), farthest - 1e-10);
@@ -345,7 +345,7 @@ TEST(ToolPolytope, InscribedLosesNoMoreThanItReports) {
             const double angle = half_degrees * std::numbers::pi / 360;
             double reach = 0.0;
             for (const auto& corner : within.points_T) {
-                const cda::Vec3 p = kLattice.to_mm(corner);
+                const Vec3 p = kLattice.to_mm(corner);
                 reach = std::max(reach, std::cos(angle) * p.x + std::sin(angle) * (p.z - r));
             }
             EXPECT_LE(r - reach, within.error_mm) << half_degrees;
@@ -360,7 +360,7 @@ TEST(ToolPolytope, IsTheSameForCoarserLattices) {
     EXPECT_EQ(largest_x(p), 6000);
 }
 
-double reach_of(const PiecePolytope& piece, cda::Vec3 n) {
+double reach_of(const PiecePolytope& piece, Vec3 n) {
     double reach = -std::numeric_limits<double>::infinity();
     for (const cda::LatticePoint& p : piece.points_T)
         reach = std::max(reach, dot(n, kLattice.to_mm(p)));
@@ -394,8 +394,8 @@ TEST(ToolPolytope, FairErrsToBothSides) {
                 // weight.
                 const double aside = std::sqrt(unit());
                 const double around = 2 * std::numbers::pi * unit();
-                const cda::Vec3 n{aside * std::cos(around), aside * std::sin(around),
-                                  -std::sqrt(1 - aside * aside)};
+                const Vec3 n{aside * std::cos(around), aside * std::sin(around),
+                             -std::sqrt(1 - aside * aside)};
                 const double more = reach_of(fair, n) - (r + n.z * r);
                 const double weight = -n.z * n.z * n.z;
                 sum += weight * more;
@@ -417,7 +417,7 @@ TEST(ToolPolytope, FairErrsToBothSides) {
 
 // Returns the support function of a body of revolution for a unit vector: a corner of the profile,
 // or the point of an arc with this normal.
-double reach_of(const ToolPiece& piece, cda::Vec3 n) {
+double reach_of(const ToolPiece& piece, Vec3 n) {
     const double aside = std::hypot(n.x, n.y);
     double reach = -std::numeric_limits<double>::infinity();
     const auto& profile = piece.profile;
@@ -503,7 +503,7 @@ TEST(ToolPolytope, OfRandomToolsHoldsThemOrIsHeldWithinTheErrorThatItTells) {
             const bool outside = side != Side::Inscribed;
             const bool is_rounded =
                 std::ranges::any_of(piece.profile, [](const auto& q) { return q.fillet > 0; });
-            const auto holds = [&](cda::Vec3 n) {
+            const auto holds = [&](Vec3 n) {
                 const double less = outside ? reach_of(piece, n) : reach_of(p, n);
                 const double more = outside ? reach_of(p, n) : reach_of(piece, n);
                 const double missed = side == Side::Fair && is_rounded ? p.error_mm
@@ -516,8 +516,8 @@ TEST(ToolPolytope, OfRandomToolsHoldsThemOrIsHeldWithinTheErrorThatItTells) {
             for (const cda::Plane& plane : cell->planes)
                 ASSERT_TRUE(holds(unit_normal(plane)));
             for (int k = 0; k < 200; ++k) {
-                const cda::Vec3 n = cda::normalized(
-                    {tools.between(-1, 1), tools.between(-1, 1), tools.between(-1, 1)});
+                const Vec3 n =
+                    normalized({tools.between(-1, 1), tools.between(-1, 1), tools.between(-1, 1)});
                 ASSERT_TRUE(holds(n)) << n.x << ' ' << n.y << ' ' << n.z;
             }
             // Mirrors and quarter turns.
@@ -554,7 +554,7 @@ TEST(ToolPolytope, NoToolIsTooSmallToCut) {
                 ASSERT_FALSE(p.points_T.empty());
                 const double missed = side == Side::Fair ? p.error_mm : 1e-9;
                 for (int k = 0; k < 20; ++k) {
-                    const cda::Vec3 n = cda::normalized(
+                    const Vec3 n = normalized(
                         {tools.between(-1, 1), tools.between(-1, 1), tools.between(-1, 1)});
                     ASSERT_LE(reach_of(piece, n), reach_of(p, n) + missed);
                 }
@@ -589,7 +589,7 @@ TEST(ToolPolytope, CornersOfAConeStandOutByNoMoreThanItTells) {
             const double slope = std::tan(degrees * std::numbers::pi / 180);
             double most = 0.0;
             for (const cda::LatticePoint& corner : p.points_T) {
-                const cda::Vec3 at = kLattice.to_mm(corner);
+                const Vec3 at = kLattice.to_mm(corner);
                 const double beyond = std::hypot(at.x, at.y) - d / 2 - slope * at.z;
                 most = std::max(most, beyond / std::hypot(1.0, slope));
             }

@@ -235,48 +235,48 @@ TEST(StockComments, OfVectricAreASizeAndAPlace) {
     const std::string size = "( Material Size)\n( X= 80.000, Y= 40.000, Z= 10.000)\nG21\n";
     const ProgramNotes corner = notes(size);
     ASSERT_TRUE(corner.stock);
-    EXPECT_EQ(corner.stock->box.min, (cda::Vec3{0, 0, -10}));
-    EXPECT_EQ(corner.stock->box.max, (cda::Vec3{80, 40, 0}));
+    EXPECT_EQ(corner.stock->box.min, (Vec3{0, 0, -10}));
+    EXPECT_EQ(corner.stock->box.max, (Vec3{80, 40, 0}));
     EXPECT_EQ(corner.stock->span.line, 2U);
     const ProgramNotes centre = notes(size +
                                       "( Z Origin for Material = Table Surface)\n"
                                       "( XY Origin for Material = Center)\n");
-    EXPECT_EQ(centre.stock->box.min, (cda::Vec3{-40, -20, 0}));
-    EXPECT_EQ(centre.stock->box.max, (cda::Vec3{40, 20, 10}));
+    EXPECT_EQ(centre.stock->box.min, (Vec3{-40, -20, 0}));
+    EXPECT_EQ(centre.stock->box.max, (Vec3{40, 20, 10}));
     const ProgramNotes right = notes(size + "( XY Origin for Material = Top Right Corner)\n");
-    EXPECT_EQ(right.stock->box.min, (cda::Vec3{-80, -40, -10}));
+    EXPECT_EQ(right.stock->box.min, (Vec3{-80, -40, -10}));
     EXPECT_FALSE(notes("( Material Size)\n( soft wood)\n( X= 80, Y= 40, Z= 10)\n").stock);
     EXPECT_FALSE(notes("( X= 80, Y= 40, Z= 10)\n").stock) << "extents of something";
 }
 
 TEST(StockComments, OfSimulatorsAndPostsAreRead) {
-    const cda::Box block{{0, 0, -10}, {80, 40, 0}};
+    const Box block{{0, 0, -10}, {80, 40, 0}};
     const auto box = [](const char* text) {
         const auto stock = notes(text).stock;
-        return stock ? stock->box : cda::Box{};
+        return stock ? stock->box : Box{};
     };
     EXPECT_EQ(box("($SetPartSize(80,40,10,1))\nG21\n"), block);
-    EXPECT_EQ(box("$SetPartSize(80,40,0)\n"), cda::Box{});
+    EXPECT_EQ(box("$SetPartSize(80,40,0)\n"), Box{});
     EXPECT_EQ(box("(BLK FORM 0.1 Z X+0 Y+0 Z-10)\n(BLK FORM 0.2 X+80 Y+40 Z+0)\nG21\n"), block);
-    EXPECT_EQ(box("(BLK FORM 0.2 X+80 Y+40 Z+0)\nG21\n"), cda::Box{});
+    EXPECT_EQ(box("(BLK FORM 0.2 X+80 Y+40 Z+0)\nG21\n"), Box{});
     EXPECT_EQ(box("( X Min = 0.000   Y Min = 0.000  Z Min = -10.000)\n"
                   "( X Max = 80.000   Y Max = 40.000  Z Max = 0.000)\nG21\n"),
               block);
     EXPECT_EQ(box("; Material Size: X80.0 Y40.0 Z10.0\n; Material Origin: X0.0 Y0.0 Z0.0\nG21\n"),
               block);
     // The position of the material relative to the zero is unknown here.
-    EXPECT_EQ(box("; Material Size: X80 Y40 Z10\n; Material Origin: X5 Y0 Z0\nG21\n"), cda::Box{});
+    EXPECT_EQ(box("; Material Size: X80 Y40 Z10\n; Material Origin: X5 Y0 Z0\nG21\n"), Box{});
     // Extents of a tool path.
     EXPECT_EQ(box("(X Min: 0 - X Max: 80)\n(Y Min: 0 - Y Max: 40)\n(Z Min: -10 - Z Max: 0)\n"),
-              cda::Box{});
+              Box{});
 }
 
 TEST(StockComments, OfPeopleAreThreeLengthsBehindAName) {
     const auto size = [](const std::string& text) {
         const auto stock = notes(text + "\nG21\n").stock;
-        return stock ? stock->box.size() : cda::Vec3{};
+        return stock ? stock->box.size() : Vec3{};
     };
-    const cda::Vec3 block{100, 50, 10};
+    const Vec3 block{100, 50, 10};
     for (const char* text :
          {"(STOCK 100x50x10)", "(Stock: 100 x 50 x 10 mm)",
           "; Stock Size: 100(X) * 50(Y) * 10(Z) mm", "(RAW STOCK = 100MM X 50MM X 10MM ALUMINIUM)",
@@ -284,13 +284,13 @@ TEST(StockComments, OfPeopleAreThreeLengthsBehindAName) {
           "(BLOCK 100mmx50mmx10mm)"}) {
         EXPECT_EQ(size(text), block) << text;
     }
-    EXPECT_EQ(size("(STOCK 4in x 2in x 1/2in)"), (cda::Vec3{101.6, 50.8, 12.7}));
-    EXPECT_EQ(size("(MATERIAL 4\" X 2\" X 1\" PINE)"), (cda::Vec3{101.6, 50.8, 25.4}));
+    EXPECT_EQ(size("(STOCK 4in x 2in x 1/2in)"), (Vec3{101.6, 50.8, 12.7}));
+    EXPECT_EQ(size("(MATERIAL 4\" X 2\" X 1\" PINE)"), (Vec3{101.6, 50.8, 25.4}));
     for (const char* text :
          {"(STOCK 100 x 50 mm)", "(STOCK TO LEAVE 1 x 1 x 1)", "(STOCK 100x50x10x2)",
           "(STOCKS 100x50x10)", "(STOCK 100x50x0)", "(STOCK 100x50x10, 2 PIECES)",
           "(STOCK 4in x 50mm x 10)", "(100x50x10)", "(MATERIAL 6061 100x50x10)"}) {
-        EXPECT_EQ(size(text), cda::Vec3{}) << text;
+        EXPECT_EQ(size(text), Vec3{}) << text;
     }
     EXPECT_TRUE(notes("(STOCK 100x50x10)\nG21\n").stock->place_assumed);
     EXPECT_FALSE(notes("(STOCK/BLOCK,100,50,10,0,0,10)\nG21\n").stock->place_assumed);
@@ -301,38 +301,36 @@ TEST(StockComments, OfPeopleAreThreeLengthsBehindAName) {
 TEST(StockComments, OfSetUpSheetsHaveLengthsByAxisAndANamedZero) {
     const auto box = [](const std::string& text) {
         const auto stock = notes(text + "\nG21\n").stock;
-        return stock ? stock->box : cda::Box{};
+        return stock ? stock->box : Box{};
     };
     const std::string block = "(STOCK 6061 DX 90MM DY 60MM DZ 20MM, AFTER SQUARING)\n";
-    EXPECT_EQ(box(block + "(WCS G54 FRONT-LEFT-TOP)"), (cda::Box{{0, 0, -20}, {90, 60, 0}}));
-    EXPECT_EQ(box(block + "(WCS G55 BACK RIGHT BOTTOM)"), (cda::Box{{-90, -60, 0}, {0, 0, 20}}));
-    EXPECT_EQ(box(block + "(ZERO: CENTER, TOP OF STOCK)"),
-              (cda::Box{{-45, -30, -20}, {45, 30, 0}}));
+    EXPECT_EQ(box(block + "(WCS G54 FRONT-LEFT-TOP)"), (Box{{0, 0, -20}, {90, 60, 0}}));
+    EXPECT_EQ(box(block + "(WCS G55 BACK RIGHT BOTTOM)"), (Box{{-90, -60, 0}, {0, 0, 20}}));
+    EXPECT_EQ(box(block + "(ZERO: CENTER, TOP OF STOCK)"), (Box{{-45, -30, -20}, {45, 30, 0}}));
     EXPECT_FALSE(notes(block + "(ORIGIN LEFT FRONT TOP)\nG21\n").stock->place_assumed);
-    EXPECT_EQ(box(block + "(ORIGIN LOWER LEFT CORNER, TOP)"), (cda::Box{{0, 0, -20}, {90, 60, 0}}));
-    EXPECT_EQ(box(block + "(ORIGIN UPPER LEFT CORNER, TOP)"),
-              (cda::Box{{0, -60, -20}, {90, 0, 0}}));
-    EXPECT_EQ(box(block + "(ZERO LEFT CENTER TOP)"), (cda::Box{{0, -30, -20}, {90, 30, 0}}));
+    EXPECT_EQ(box(block + "(ORIGIN LOWER LEFT CORNER, TOP)"), (Box{{0, 0, -20}, {90, 60, 0}}));
+    EXPECT_EQ(box(block + "(ORIGIN UPPER LEFT CORNER, TOP)"), (Box{{0, -60, -20}, {90, 0, 0}}));
+    EXPECT_EQ(box(block + "(ZERO LEFT CENTER TOP)"), (Box{{0, -30, -20}, {90, 30, 0}}));
     // The corner may be of a drawing or of the part: the position is unknown.
     EXPECT_TRUE(notes(block + "(ZERO TOP LEFT)\nG21\n").stock->place_assumed);
     // Words with a different meaning.
     EXPECT_TRUE(notes(block + "(WORK ON THE LEFT TOP CLAMP)\nG21\n").stock->place_assumed);
     EXPECT_TRUE(notes(block + "(ZERO LEFT)\nG21\n").stock->place_assumed);
-    EXPECT_EQ(box("(STOCK DX 4IN DY 2IN DZ 1/2IN)").size(), (cda::Vec3{101.6, 50.8, 12.7}));
-    EXPECT_EQ(box("(STOCK DX 3.5IN DY 50MM DZ 10)"), cda::Box{});
-    EXPECT_EQ(box("(STOCK DX 90 DY 60)"), cda::Box{});
+    EXPECT_EQ(box("(STOCK DX 4IN DY 2IN DZ 1/2IN)").size(), (Vec3{101.6, 50.8, 12.7}));
+    EXPECT_EQ(box("(STOCK DX 3.5IN DY 50MM DZ 10)"), Box{});
+    EXPECT_EQ(box("(STOCK DX 90 DY 60)"), Box{});
 }
 
 TEST(StockComments, OfKiriAreASize) {
-    EXPECT_EQ(notes("; Stock X:100 Y:50 Z:10\nG21\n").stock->box.max, (cda::Vec3{100, 50, 0}));
+    EXPECT_EQ(notes("; Stock X:100 Y:50 Z:10\nG21\n").stock->box.max, (Vec3{100, 50, 0}));
     EXPECT_FALSE(notes("; Stock X:100 Y:0 Z:10\nG21\n").stock);
 }
 
 TEST(StockComments, BlockIsSizeAndTheZeroSeenFromItsCorner) {
     const ProgramNotes n = notes("(STOCK/BLOCK,100.00, 50.00, 10.00,20.00, 0.00, 10.00)\nG21\n");
     ASSERT_TRUE(n.stock);
-    EXPECT_EQ(n.stock->box.min, (cda::Vec3{-20, 0, -10}));
-    EXPECT_EQ(n.stock->box.max, (cda::Vec3{80, 50, 0}));
+    EXPECT_EQ(n.stock->box.min, (Vec3{-20, 0, -10}));
+    EXPECT_EQ(n.stock->box.max, (Vec3{80, 50, 0}));
     EXPECT_EQ(n.stock->span.line, 1U);
 }
 
@@ -340,8 +338,8 @@ TEST(StockComments, CornersHaveTheirOwnUnits) {
     const ProgramNotes n =
         notes("(stockMin:0.00mm, 0.00mm, -1.00mm)\n(stockMax:100.00mm, 90.00mm, 0.00mm)\nG20\n");
     ASSERT_TRUE(n.stock);
-    EXPECT_EQ(n.stock->box.min, (cda::Vec3{0, 0, -1}));
-    EXPECT_EQ(n.stock->box.max, (cda::Vec3{100, 90, 0}));
+    EXPECT_EQ(n.stock->box.min, (Vec3{0, 0, -1}));
+    EXPECT_EQ(n.stock->box.max, (Vec3{100, 90, 0}));
 }
 
 TEST(StockComments, WithoutUnitsAreInThoseOfTheProgram) {
@@ -360,7 +358,7 @@ TEST(StockComments, OfAbsurdSizeAreReported) {
 }
 
 TEST(StockComments, StartPosition) {
-    EXPECT_EQ(notes("(FROM/0,0,50)\nG21\n").start, (cda::Vec3{0, 0, 50}));
+    EXPECT_EQ(notes("(FROM/0,0,50)\nG21\n").start, (Vec3{0, 0, 50}));
 }
 
 TEST(Notes, OfAnyBytesAreATable) {

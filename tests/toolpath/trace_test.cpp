@@ -3,9 +3,9 @@
 // Cells that a tool removes between two poses.
 #include "ncsim/toolpath/trace.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/cda/polytope.h"
 #include "ncsim/toolpath/kinematics.h"
-#include "ncsim/trig/angles.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,6 @@
 namespace ncsim::toolpath {
 namespace {
 
-using cda::Vec3;
 using gcode::Angle;
 using gcode::Length;
 
@@ -97,7 +96,7 @@ TEST(Trace, OfATiltedToolHasATiltedFloor) {
     const auto cells = trace(cutter, pose(0, 0, 0, 10), pose(30, 0, 0, 10));
     ASSERT_EQ(cells.size(), 1U);
     // The normal of the floor is the tool axis, turned by A10, pointing down.
-    const trig::SinCos a = trig::sin_cos(10);
+    const SinCos a = sin_cos(10);
     bool found = false;
     for (const cda::Plane& plane : cells[0].planes) {
         found = found || norm(unit_normal(plane) - Vec3{0, a.sin, -a.cos}) < 1e-5;
@@ -123,7 +122,7 @@ TEST(Trace, BoundsEncloseTheCells) {
     for (const auto& [from, to] : {std::pair{pose(0, 0, 0), pose(9, -4, 2)},
                                    {pose(0, 0, 0, 30), pose(9, -4, 2, 30)},
                                    {pose(0, 0, 0, 30), pose(9, -4, 2, 31)}}) {
-        const cda::Box box = cutter.bounds(from, to);
+        const Box box = cutter.bounds(from, to);
         for (const cda::Cell& cell : trace(cutter, from, to)) {
             EXPECT_TRUE(box.contains(cell.bounds.min));
             EXPECT_TRUE(box.contains(cell.bounds.max));

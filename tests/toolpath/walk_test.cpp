@@ -48,7 +48,7 @@ gcode::Motion arc(gcode::Position from, gcode::Position to, int turns = 1, doubl
     return motion(arc);
 }
 
-const cda::Box kStock{{-20, -20, -20}, {20, 20, 0}};
+const Box kStock{{-20, -20, -20}, {20, 20, 0}};
 
 struct Walked {
     std::vector<cda::Cell> cells, merged_cells;
@@ -226,7 +226,7 @@ TEST(Walk, NamesAStraightWayByTheLastMoveThatMeetsTheStock) {
     for (const bool is_tile : {false, true}) {
         Walk walk(lattice, kStock, {}, {});
         walk.add_tool(1, kFlat);
-        if (is_tile) walk.restrict_cells(cda::Box{{19, -20, -20}, {20, 20, 0}});
+        if (is_tile) walk.restrict_cells(Box{{19, -20, -20}, {20, 20, 0}});
         std::vector<cda::Cell> merged_cells;
         for (std::size_t i = 0; i < motions.size(); ++i) {
             walk.take(motions[i], cda::Origin{static_cast<std::uint32_t>(i + 1)},

@@ -13,9 +13,6 @@
 namespace ncsim::verify_test {
 namespace {
 
-using cda::Box;
-using cda::Vec3;
-
 TEST(FindPlaces, EncloseTheMaterialInSmallBoxes) {
     const cda::Lattice lattice = cda::Lattice::for_stock(kBlock);
     const auto cell = [&](Vec3 a, Vec3 b) {

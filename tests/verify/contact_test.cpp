@@ -197,8 +197,8 @@ TEST(FixtureContact, IsNotFoundWhereAConeOnlyTouches) {
 // Returns the set-up with the jaw as a closed triangle mesh.
 verify::Setup with_jaw_of_triangles(double clearance) {
     verify::Setup setup = with_jaw(clearance);
-    cda::TriangleMesh& mesh = setup.machine.fixtures[0].mesh;
-    const cda::Box b = setup.machine.fixtures[0].box;
+    TriangleMesh& mesh = setup.machine.fixtures[0].mesh;
+    const Box b = setup.machine.fixtures[0].box;
     for (int i = 0; i < 8; ++i) {
         mesh.vertices.push_back({(i & 1) != 0 ? b.max.x : b.min.x, (i & 2) != 0 ? b.max.y : b.min.y,
                                  (i & 4) != 0 ? b.max.z : b.min.z});

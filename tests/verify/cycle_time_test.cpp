@@ -2,6 +2,7 @@
 #include "cycle_time.h"
 
 #include "ncsim/cda/check.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "verify/verified.h"
 
@@ -102,7 +103,7 @@ TEST(Ledger, BalancesAndNamesWhatEachBlockTookAndHowLong) {
     EXPECT_DOUBLE_EQ(slot.length_mm, 60.0);
     EXPECT_NEAR(*slot.seconds, 6.0, 1e-12);
     EXPECT_NEAR(*slot.removal_rate(), 8000.0, 1e-9);
-    EXPECT_EQ(slot.contact, (cda::Box{{-20, -5, -2}, {20, 5, 0}}));
+    EXPECT_EQ(slot.contact, (Box{{-20, -5, -2}, {20, 5, 0}}));
     EXPECT_NEAR(*ledger.rows[3].seconds, 1.5, 1e-12);
     EXPECT_DOUBLE_EQ(ledger.rows[5].removed_mm3, 800.0);
     EXPECT_TRUE(ledger.measured);
@@ -174,7 +175,7 @@ TEST(Ledger, HasNoTimeWhereARateIsNotTold) {
 // A slot with a round end against the formula: 6 mm wide, 25 mm long, 5 mm deep, in a block of 40 x
 // 40 x 10 mm. The volume left is 15,108.63 mm³ within the chord bound, and the surface is closed.
 TEST(Ledger, SlotOfAFlatEndMillIsWithinTheChordBound) {
-    const cda::Box block{{0, 0, -10}, {40, 40, 0}};
+    const Box block{{0, 0, -10}, {40, 40, 0}};
     const cda::Lattice lattice = cda::Lattice::for_stock(block);
     cda::TreeCda part(cda::box_cell(lattice.round(block.min), lattice.round(block.max), lattice),
                       lattice);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Parts of few boxes against designs of few boxes, with results that are known by hand calculation.
+#include "ncsim/base/triangle_tree.h"
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/tree.h"
-#include "ncsim/cda/triangle_tree.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/verify/design_comparison.h"
 
 #include "common_volume.h"
@@ -15,7 +16,6 @@
 namespace ncsim::verify_test {
 namespace {
 
-using cda::Vec3;
 using verify::compare;
 
 const cda::Lattice kLattice;
@@ -33,7 +33,7 @@ cda::TreeCda block_less(const std::vector<cda::Cell>& boxes) {
     return part;
 }
 
-cda::TriangleMesh mesh_of(const cda::TreeCda& part) {
+TriangleMesh mesh_of(const cda::TreeCda& part) {
     return cda::triangulate(part.boundary());
 }
 
@@ -192,16 +192,16 @@ TEST(CommonVolume, IsNothingForBodiesThatTouchAndAllForTheSame) {
 
 TEST(TriangleTree, KnowsWhatIsInsideAndHowFarItIs) {
     const auto part = block_less({kSlot, box({-10, -3, -8}, {10, 3, -4})});  // and a cavity
-    const cda::TriangleMesh mesh = mesh_of(part);
-    const cda::TriangleTree tree(mesh);
+    const TriangleMesh mesh = mesh_of(part);
+    const TriangleTree tree(mesh);
     std::mt19937 random(1997);
     std::uniform_real_distribution<double> along(0.0, 1.0);
     for (int i = 0; i < 20000; ++i) {
         const Vec3 p{-22 + 44 * along(random), -17 + 34 * along(random), -12 + 14 * along(random)};
         EXPECT_EQ(tree.contains(p), part.contains(p)) << p.x << ' ' << p.y << ' ' << p.z;
-        double least = cda::Box::kInf;
+        double least = Box::kInf;
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-            least = std::min(least, cda::distance(p, cda::corners_of(mesh, t)));
+            least = std::min(least, distance(p, corners_of(mesh, t)));
         EXPECT_NEAR(tree.nearest(p).distance_mm, least, 1e-12);
     }
     // Directly above corners and edges.

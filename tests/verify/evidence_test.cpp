@@ -25,7 +25,7 @@ TEST(Evidence, ComesBackToTheLastBit) {
     full.rank = 3;
     full.touches = false;
     full.certain = full.assumed = true;
-    full.point = cda::Vec3{0.1, -1.0 / 3.0, 1e-300};
+    full.point = Vec3{0.1, -1.0 / 3.0, 1e-300};
     full.box = {{-1.5, 0, 2}, {-1.5, 0.1 + 0.2, 3}};
     full.value = -5e-324;
     full.values = machine::Values{1, 2, 0.3, 4, 5, 6, 7, 8, -0.9};
@@ -53,15 +53,15 @@ TEST(Evidence, OfTilesIsThatOfAll) {
     near.box = {{0, 0, 0}, {1, 1, 1}};
     far.certain = true;
     far.value = 3.5;
-    far.point = cda::Vec3{5, 5, 5};
+    far.point = Vec3{5, 5, 5};
     far.rank = 1;
     far.box = {{5, 5, 5}, {6, 6, 6}};
     Observation raised = seen(2, 1, Subject::Body), higher = raised;
     raised.value = 0.02;
-    raised.point = cda::Vec3{1, 1, 1};
+    raised.point = Vec3{1, 1, 1};
     raised.rank = 9;
     higher.value = 0.25;
-    higher.point = cda::Vec3{2, 2, 2};
+    higher.point = Vec3{2, 2, 2};
     higher.rank = 2;
     const Observation other = seen(1, 7, Subject::FeedCut);
     const Evidence all = together({{near, raised}, {other, far, higher}});
@@ -71,7 +71,7 @@ TEST(Evidence, OfTilesIsThatOfAll) {
     EXPECT_TRUE(all[1].touches && all[1].certain);
     EXPECT_EQ(all[1].value, 2.5);
     EXPECT_EQ(all[1].point, far.point);
-    EXPECT_EQ(all[1].box, (cda::Box{{0, 0, 0}, {6, 6, 6}}));
+    EXPECT_EQ(all[1].box, (Box{{0, 0, 0}, {6, 6, 6}}));
     EXPECT_EQ(all[2].value, 0.25);
     EXPECT_EQ(all[2].point, higher.point);
 }

@@ -16,7 +16,6 @@
 namespace ncsim::verify_test {
 namespace {
 
-using cda::Box;
 using verify::Finding;
 
 /// Lattices round outwards; polygons around round tools are larger by their accuracy.
@@ -37,7 +36,7 @@ void expect_lines(const Finding& f, std::uint32_t first, std::uint32_t last, std
     EXPECT_EQ(f.row == 0, count == 1) << "hash of a row";
 }
 
-verify::Setup with_travel(std::optional<cda::Vec3> zero) {
+verify::Setup with_travel(std::optional<Vec3> zero) {
     verify::Setup setup = plain_setup();
     setup.machine.travel[0] = {-40, 40};
     setup.machine.work_zero = zero;
@@ -88,8 +87,8 @@ TEST(FindingFields, OfAShank) {
 }
 
 TEST(FindingFields, OfPathsBeyondATravel) {
-    const Finding zero = only(
-        verdict_of(kStart + "G1 X50 Y3 Z6\nG1 X-45\n", with_travel(cda::Vec3{})), "over-travel");
+    const Finding zero =
+        only(verdict_of(kStart + "G1 X50 Y3 Z6\nG1 X-45\n", with_travel(Vec3{})), "over-travel");
     expect_lines(zero, 2, 3, 2);
     expect_at(zero, 2, 10.0);
     expect_box(zero.box, {{-45, 0, 5}, {50, 3, 6}});
@@ -104,7 +103,7 @@ TEST(FindingFields, OfPathsBeyondATravel) {
 TEST(FindingFields, RoundingIsNotBeyondATravel) {
     const auto count = [](double zero) {
         const std::string program = kStart + "G1 X40\n";
-        return findings_of(verdict_of(program, with_travel(cda::Vec3{zero, 0, 0})), "over-travel")
+        return findings_of(verdict_of(program, with_travel(Vec3{zero, 0, 0})), "over-travel")
             .size();
     };
     EXPECT_EQ(count(0.0), 0U);
@@ -117,7 +116,7 @@ TEST(FindingFields, AnyChangeInARowChangesItsHash) {
     verify::Setup setup = plain_setup();
     setup.machine.max_feed = 400;
     setup.machine.travel[0] = {-40, 40};
-    setup.machine.work_zero = cda::Vec3{};
+    setup.machine.work_zero = Vec3{};
     const auto row = [&](const std::string& rule, const std::string& blocks) {
         return only(verdict_of(kStart + blocks, setup), rule).row;
     };
@@ -191,7 +190,7 @@ TEST(FindingFields, ACertainContactWithinAMoveIsCertain) {
 TEST(FindingFields, ASpindleNoseNextToTheBlockMeetsNothing) {
     // The length of T1 is not specified: at the nose, 5 mm above the block, it may be 80 mm long.
     verify::Setup setup = plain_setup();
-    setup.machine.work_zero = cda::Vec3{0, 0, -100};
+    setup.machine.work_zero = Vec3{0, 0, -100};
     setup.uses_length_offsets = true;
     setup.stock = kBlock;
     const auto meets = [&](const std::string& place) {

@@ -21,7 +21,6 @@
 namespace ncsim::verify_test {
 namespace {
 
-using cda::Vec3;
 using machine::Chain;
 using machine::Joint;
 using machine::joint_of;
@@ -32,8 +31,8 @@ using verify::LinkBodies;
 using verify::LinkBody;
 using verify::Setup;
 
-cda::TriangleMesh box(Vec3 a, Vec3 b) {
-    cda::TriangleMesh mesh;
+TriangleMesh box(Vec3 a, Vec3 b) {
+    TriangleMesh mesh;
     for (int i = 0; i < 8; ++i)
         mesh.vertices.push_back({i & 1 ? b.x : a.x, i & 2 ? b.y : a.y, i & 4 ? b.z : a.z});
     mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
@@ -42,7 +41,7 @@ cda::TriangleMesh box(Vec3 a, Vec3 b) {
 }
 
 // Returns both meshes as a single mesh of two shells.
-cda::TriangleMesh both(cda::TriangleMesh a, const cda::TriangleMesh& b) {
+TriangleMesh both(TriangleMesh a, const TriangleMesh& b) {
     const auto first = static_cast<std::uint32_t>(a.vertices.size());
     a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
     for (const auto& t : b.triangles)
@@ -335,7 +334,7 @@ TEST(MachineCollision, AMeshCountsAsItsHullWhereThatWasTold) {
 // hull.
 TEST(MachineCollision, AShellThatIsInsideOutIsRefused) {
     LinkBodies specified = tilting();
-    cda::TriangleMesh cradle = box({-100, -50, -350}, {100, 50, -310});
+    TriangleMesh cradle = box({-100, -50, -350}, {100, 50, -310});
     for (auto& t : cradle.triangles)
         std::swap(t[0], t[1]);
     // The remaining shell of the link, far from all bodies, is larger and has outward orientation.

@@ -13,7 +13,6 @@
 namespace ncsim::verify {
 namespace {
 
-using cda::Vec3;
 using toolpath::Pose;
 
 struct Way {

@@ -24,7 +24,7 @@ TEST(RapidInMaterial, IsFoundAtItsLineWithTheVolumeItTakes) {
     EXPECT_EQ(f.severity, Severity::Error);
     EXPECT_EQ(f.certainty, Certainty::Certain);
     EXPECT_EQ(f.tool, 1);
-    EXPECT_EQ(f.box, (cda::Box{{-20, -5, -2}, {20, 5, 0}}));
+    EXPECT_EQ(f.box, (Box{{-20, -5, -2}, {20, 5, 0}}));
 }
 
 // After a certain finding, only steps that could extend its place are examined. The result must

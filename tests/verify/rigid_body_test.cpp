@@ -12,9 +12,6 @@
 namespace ncsim::verify {
 namespace {
 
-using cda::Box;
-using cda::Vec3;
-
 ConvexPiece block(Vec3 a, Vec3 b) {
     ConvexPiece piece;
     for (int i = 0; i < 8; ++i)
@@ -75,7 +72,7 @@ TEST(RigidBody, TreeHoldsEachPieceOnceWithinItsBoxes) {
 }
 
 TEST(RigidBody, OfAMeshIsWithinItsAccuracy) {
-    cda::TriangleMesh mesh;
+    TriangleMesh mesh;
     mesh.vertices = block({100, 0, 0}, {104, 3, 2}).outer;
     mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};

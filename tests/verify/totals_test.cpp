@@ -133,7 +133,7 @@ TEST(Regions, AreRowsWhoseBoxesTouch) {
     EXPECT_EQ(regions[0].volume_mm3, 20.0);
     EXPECT_EQ(regions[0].lines, (std::vector<LineRange>{{0, 3, 3}}));
     EXPECT_EQ(regions[1].volume_mm3, 18.0);
-    EXPECT_EQ(regions[1].box, (cda::Box{{0, 0, 0}, {3, 1, 1}}));
+    EXPECT_EQ(regions[1].box, (Box{{0, 0, 0}, {3, 1, 1}}));
     EXPECT_EQ(regions[1].lines, (std::vector<LineRange>{{0, 1, 2}, {0, 6, 6}}));
 }
 

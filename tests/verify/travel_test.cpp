@@ -22,7 +22,7 @@ TEST(OverTravel, IsFoundWithTheDistance) {
     verify::Setup setup = plain_setup();
     setup.machine.travel[0] = {-100, 0};
     setup.machine.travel[2] = {-50, 0};
-    setup.machine.work_zero = cda::Vec3{-60, 0, -40};
+    setup.machine.work_zero = Vec3{-60, 0, -40};
     const auto verdict = verdict_of(kStart + "G0 X60\nG0 X-40\nG0 X-40.25\nG0 Z40.5\n", setup);
     const auto found = findings_of(verdict, "over-travel");
     ASSERT_EQ(found.size(), 2U);
@@ -36,7 +36,7 @@ TEST(OverTravel, IsFoundWithTheDistance) {
 TEST(OverTravel, IsFoundOnTheBulgeOfAnArc) {
     verify::Setup setup = plain_setup();
     setup.machine.travel[1] = {-10, 24.5};
-    setup.machine.work_zero = cda::Vec3{};
+    setup.machine.work_zero = Vec3{};
     const auto verdict = verdict_of(kStart + "G2 X20 Y0 R25\n", setup);
     expect_at(only(verdict, "over-travel"), 2, 0.5, 0.011);
 }
@@ -57,7 +57,7 @@ TEST(OverTravel, OfArcsIsFoundHoweverSmall) {
         const double y = radius * std::sin(from);
         verify::Setup setup = not_simulated();
         setup.machine.travel[1] = {-1000.0, radius - beyond};
-        setup.machine.work_zero = cda::Vec3{};
+        setup.machine.work_zero = Vec3{};
         const std::string program = fmt::format(
             "G21 G90 S1 M3 F1\nG0 X{:.9f} Y{:.9f} Z0\nG2 X{:.9f} Y{:.9f} I{:.9f} "
             "J{:.9f}\nM2\n",
@@ -71,7 +71,7 @@ TEST(OverTravel, OfArcsIsFoundHoweverSmall) {
 
 TEST(OverTravel, IsNotWhatASumOfDecimalFractionsLeaves) {
     verify::Setup setup = not_simulated();
-    setup.machine.work_zero = cda::Vec3{0, -257.033, 0};
+    setup.machine.work_zero = Vec3{0, -257.033, 0};
     setup.machine.travel[1] = {-287.686, 0};
     const std::string program = "G21 G90 S1 M3 F1\nG0 X0 Y0 Z0\nG0 Y-30.653\nM2\n";
     ASSERT_LT(-257.033 + -30.653, -287.686);
@@ -83,7 +83,7 @@ TEST(OverTravel, IsNotWhatASumOfDecimalFractionsLeaves) {
 TEST(OverTravel, IsNotCertainInASystemThatNobodyPlaced) {
     verify::Setup setup = plain_setup();
     setup.machine.travel[0] = {-100, 0};
-    setup.machine.work_zero = cda::Vec3{-60, 0, -40};
+    setup.machine.work_zero = Vec3{-60, 0, -40};
     const auto verdict = verdict_of(kStart + "G1 X1\nG55\nG0 X60.5\n", setup);
     EXPECT_EQ(only(verdict, "over-travel").severity, Severity::Warning);
     EXPECT_EQ(verdict.outcome(), verify::Outcome::NotProven);

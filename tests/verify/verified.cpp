@@ -61,7 +61,7 @@ verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
         walk.add_tool(number, facts.tool);
     const double stock_mm3 = part.volume();
     setup.stock = kBlock;
-    verify::Verifier verifier(std::move(setup), simulated ? kBlock : cda::Box{}, lattice);
+    verify::Verifier verifier(std::move(setup), simulated ? kBlock : Box{}, lattice);
     gcode::InterpreterOptions options;
     if (verifier.needs_account()) part.track_removal();
     std::uint32_t motions = 0;

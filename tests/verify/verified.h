@@ -14,7 +14,7 @@
 namespace ncsim::verify_test {
 
 /// Block of 40 x 30 x 10 mm with its top at Z0, centred on X0 Y0.
-inline constexpr cda::Box kBlock{{-20, -15, -10}, {20, 15, 0}};
+inline constexpr Box kBlock{{-20, -15, -10}, {20, 15, 0}};
 
 /// Returns a set-up without machine. T1 is a flat end mill of 10 mm diameter with a flute length of
 /// 20 mm.

@@ -3,6 +3,7 @@
 // Explains a block of a program.
 #include "commands/explain_command.h"
 
+#include "ncsim/base/number_text.h"
 #include "ncsim/report/explanation.h"
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/explain.h"
@@ -17,7 +18,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 #include <vector>
 
@@ -29,14 +29,11 @@ namespace {
 void take_line(ExplainOptions& o) {
     const std::size_t colon = o.program.rfind(':');
     if (colon == std::string::npos) return;
-    const char* const begin = o.program.data() + colon + 1;
-    const char* const end = o.program.data() + o.program.size();
-    std::uint32_t line = 0;
-    const auto [stop, error] = std::from_chars(begin, end, line);
-    if (error != std::errc() || stop != end || line == 0) return;
-    if (o.line != 0 && o.line != line)
+    const auto line = number_in<std::uint32_t>(std::string_view(o.program).substr(colon + 1));
+    if (line.value_or(0) == 0) return;
+    if (o.line != 0 && o.line != *line)
         throw Refusal{fmt::format("'{}' and --line {} are two lines", o.program, o.line)};
-    o.line = line;
+    o.line = *line;
     o.program.resize(colon);
 }
 

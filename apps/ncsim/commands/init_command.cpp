@@ -78,7 +78,7 @@ std::string first_job(const InitOptions& options, setup::InputSet& inputs) {
         set_up.zero = setup::name_of_system(system == 0 ? kG54 : system);
         set_up.start_is_specified = plan.job.start.has_value();
         set_up.start = plan.job.start.value_or(
-            cda::Vec3{0.0, 0.0, kAbove + (survey.stock ? survey.stock->box.max.z : 0.0)});
+            Vec3{0.0, 0.0, kAbove + (survey.stock ? survey.stock->box.max.z : 0.0)});
         if (i == 0) {
             all = std::move(described);
         } else {

@@ -56,7 +56,7 @@ std::vector<Library> libraries() {
         {"tinyxml2", dotted(TIXML2_MAJOR_VERSION, TIXML2_MINOR_VERSION, TIXML2_PATCH_VERSION),
          "Zlib", "XML"},
         {"nettle", fmt::format("{}.{}", nettle_version_major(), nettle_version_minor()),
-         "LGPL-3.0-or-later or GPL-2.0-or-later", "digests"},
+         "LGPL-3.0-or-later or GPL-2.0-or-later", "digests, base64"},
         {"libzip", zip_libzip_version(), "BSD-3-Clause", "libraries of tools"},
         {"zlib", zlibVersion(), "Zlib", "PNG, 3MF, pages"},
         {"libpng", png_get_libpng_ver(nullptr), "libpng", "PNG"},

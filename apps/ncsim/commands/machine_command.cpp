@@ -3,6 +3,7 @@
 // Prints a machine.
 #include "commands/machine_command.h"
 
+#include "ncsim/base/number_text.h"
 #include "ncsim/export/png.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/report/plain_text.h"
@@ -21,7 +22,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -43,16 +43,13 @@ machine::Values values_of(const std::string& pose) {
         const std::string_view word = rest.substr(0, end);
         rest.remove_prefix(std::min(end + 1, rest.size()));
         const auto axis = word.empty() ? std::nullopt : machine::index_of(word[0]);
-        double value = 0.0;
-        const char* const last = word.data() + word.size();
-        const auto read = axis ? std::from_chars(word.data() + 1, last, value)
-                               : std::from_chars_result{nullptr, std::errc::invalid_argument};
+        const auto value = axis ? number_in<double>(word.substr(1)) : std::nullopt;
         constexpr double kLargest = 1e6;
-        if (read.ec != std::errc() || read.ptr != last || !(std::abs(value) <= kLargest)) {
+        if (!value || !(std::abs(*value) <= kLargest)) {
             throw std::runtime_error(
                 fmt::format("--pose '{}': expected axes and their values, as A30,C45", pose));
         }
-        values[*axis] = value;
+        values[*axis] = *value;
     }
     return values;
 }
@@ -68,7 +65,7 @@ std::string sheet_of_pose(const setup::MachineFile& file, const std::string& pos
             throw std::runtime_error(fmt::format("--pose: the machine has no axis {}", letter));
     }
     const machine::Pose X_WT = file.kinematics->chain.placed({}, 0.0).pose(values);
-    const cda::Vec3 axis = axis_of(X_WT), tip = X_WT.translation;
+    const Vec3 axis = axis_of(X_WT), tip = X_WT.translation;
     return fmt::format(
         "  at {}: spindle nose at X{:.6g} Y{:.6g} Z{:.6g} of the part, whose zero is that of the "
         "machine, tool along {:.6g}, {:.6g}, {:.6g}\n",
@@ -81,7 +78,7 @@ struct MachineOfJob {
     std::string set_ups;
 };
 
-std::string text_of(const std::map<int, cda::Vec3>& offsets,
+std::string text_of(const std::map<int, Vec3>& offsets,
                     const std::vector<verify::Fixture>& fixtures) {
     std::string text;
     for (const auto& [system, at] : offsets)

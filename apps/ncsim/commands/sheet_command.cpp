@@ -28,7 +28,7 @@ namespace ncsim::app {
 
 namespace {
 
-std::string text_of(cda::Vec3 v) {
+std::string text_of(Vec3 v) {
     return fmt::format("X{:g} Y{:g} Z{:g}", v.x + 0.0, v.y + 0.0, v.z + 0.0);
 }
 

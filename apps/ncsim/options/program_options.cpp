@@ -3,6 +3,8 @@
 // Reads the options of programs and their set-up.
 #include "options/program_options.h"
 
+#include "ncsim/base/ascii.h"
+#include "ncsim/base/number_text.h"
 #include "ncsim/setup/job_file.h"
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/simulation/models.h"
@@ -13,8 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -78,11 +78,8 @@ std::string read_turn(const char* option, const std::string& text) {
 std::optional<double> number_behind_equals(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) return std::nullopt;
-    const char* const end = text.data() + text.size();
-    double value = 0.0;
-    const auto read = std::from_chars(text.data() + equals + 1, end, value);
-    const bool is_read = read == std::from_chars_result{end, std::errc{}};
-    return is_read && std::isfinite(value) ? std::optional(value) : std::nullopt;
+    const auto value = number_in<double>(std::string_view(text).substr(equals + 1));
+    return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 void read_variables(const char* option, const std::vector<std::string>& texts, ProgramOptions& o) {
@@ -108,7 +105,7 @@ void read_compensation(const char* option, const std::vector<std::string>& texts
     }
 }
 
-cda::Vec3 read_triple(const char* option, const std::string& text) {
+Vec3 read_triple(const char* option, const std::string& text) {
     const auto triple = toolpath::parse_triple(text);
     if (!triple) throw Refusal{fmt::format("{} '{}': expected x,y,z in mm", option, text)};
     return *triple;
@@ -191,8 +188,7 @@ void refuse_foreign_ending(const char* option, const std::string& path,
         ".png",  ".apng", ".jpg",  ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".pdf",
         ".gif",  ".gltf", ".glb",  ".wrl",  ".vrml", ".stl", ".ply", ".3mf",  ".obj",
         ".step", ".stp",  ".iges", ".igs",  ".dxf",  ".dwg", ".svg"};
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string ending = lowercase(std::filesystem::path(path).extension().string());
     if (!formats.contains(ending) || std::ranges::find(endings, ending) != endings.end()) return;
     throw Refusal{
         fmt::format("{} '{}': the ending is that of another format; '{}'", option, path,

@@ -3,30 +3,23 @@
 // Parses the number of a shard or tile.
 #include "options/shard_number.h"
 
+#include "ncsim/base/number_text.h"
+
 #include "options/refusal.h"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstdlib>
 #include <optional>
 #include <string_view>
-#include <system_error>
 
 namespace ncsim::app {
 
 namespace {
 
-std::optional<std::uint32_t> number_of(std::string_view text) {
-    std::uint32_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
 std::optional<std::uint32_t> from_environment(const char* name) {
     const char* text = std::getenv(name);
-    return text ? number_of(text) : std::nullopt;
+    return text ? number_in<std::uint32_t>(text) : std::nullopt;
 }
 
 }  // namespace
@@ -58,10 +51,10 @@ ShardNumber shard_number(const std::string& text, const char* option) {
             fmt::format("{} auto: neither SLURM_ARRAY_TASK_ID nor CI_NODE_INDEX is set", option)};
     }
     const std::size_t slash = text.find('/');
-    const auto shard = number_of(std::string_view(text).substr(0, slash));
+    const auto shard = number_in<std::uint32_t>(std::string_view(text).substr(0, slash));
     const auto count = slash == std::string::npos
                            ? std::nullopt
-                           : number_of(std::string_view(text).substr(slash + 1));
+                           : number_in<std::uint32_t>(std::string_view(text).substr(slash + 1));
     constexpr std::uint32_t kMost = 1'000'000;
     if (!shard || !count || *count == 0 || *count > kMost || *shard >= *count) {
         throw Refusal{

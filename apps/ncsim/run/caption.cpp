@@ -31,7 +31,7 @@ std::string line_at(const Outcome& outcome) {
 std::vector<std::string> facts_of(const Outcome& outcome, double removed,
                                   const verify::Distances& path) {
     const simulation::Simulation& s = *outcome.simulation;
-    const cda::Vec3 size = outcome.survey.stock->box.size();
+    const Vec3 size = outcome.survey.stock->box.size();
     const auto shown = [&](const std::string& text) {
         return report::in_unit(text, outcome.options.report_unit);
     };

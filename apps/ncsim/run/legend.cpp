@@ -24,8 +24,7 @@ std::string depth_text(double z_mm, report::LengthUnit unit) {
     return "Z " + report::in_unit(fmt::format("{:.4g} mm", z_mm), unit);
 }
 
-std::string line_text(const exporter::Provenance& provenance,
-                      const exporter::Provenance::Entry& entry) {
+std::string line_text(const mesh::Provenance& provenance, const mesh::Provenance::Entry& entry) {
     if (entry.earlier_program == 0) return fmt::format("line {}", entry.nc_line);
     return fmt::format("{}:{}", provenance.earlier_programs[entry.earlier_program - 1],
                        entry.earlier_line);
@@ -86,7 +85,7 @@ void add_met(const verify::Finding& finding, exporter::Marks& marks) {
 // Returns the meaning of the colours: the tools that cut, or the ends of the scale.
 void add_legend(const Outcome& outcome, const exporter::RenderOptions& options,
                 exporter::Marks& marks) {
-    const exporter::Provenance& provenance = outcome.simulation->provenance;
+    const mesh::Provenance& provenance = outcome.simulation->provenance;
     switch (options.colouring) {
         case exporter::Colouring::Tool:
             for (const auto& [number, colour] : exporter::tool_colours(provenance))
@@ -114,7 +113,7 @@ exporter::Marks marks_of(const Outcome& outcome, const exporter::RenderOptions& 
     marks.zero = shown.zero;
     marks.scale = shown.scale;
     const report::LengthUnit unit = outcome.options.report_unit;
-    const cda::Vec3 size = outcome.survey.stock->box.size();
+    const Vec3 size = outcome.survey.stock->box.size();
     marks.size = report::in_unit(1.0, unit) * size;
     marks.mm_per_unit = 1.0 / report::in_unit(1.0, unit);
     marks.unit = report::name_of(unit);

@@ -26,7 +26,7 @@ void make_transparent(setup::MachineFile& file, const std::vector<std::string>& 
 }
 
 // Each triangle becomes a face, except triangles without area.
-exporter::Body machine_body(const setup::MachineBody& link, std::vector<cda::Vec3> corners) {
+exporter::Body machine_body(const setup::MachineBody& link, std::vector<Vec3> corners) {
     exporter::Body body;
     constexpr std::uint8_t kOpaque = 255, kTransparent = 76;  // three tenths
     body.colour = {link.colour[0], link.colour[1], link.colour[2],
@@ -35,7 +35,7 @@ exporter::Body machine_body(const setup::MachineBody& link, std::vector<cda::Vec
     body.surface.shells = 1;
     for (const auto& t : link.mesh.triangles) {
         const auto& v = body.surface.vertices;
-        const cda::Vec3 across = cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]);
+        const Vec3 across = cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]);
         if (norm(across) == 0.0) continue;
         cda::BoundaryFace face;
         face.normal = normalized(across);
@@ -49,10 +49,10 @@ exporter::Body machine_body(const setup::MachineBody& link, std::vector<cda::Vec
 exporter::Image picture_of(const setup::MachineFile& file, const machine::Values& values,
                            exporter::View view) {
     exporter::Overlay overlay;
-    cda::Box box;
+    Box box;
     for (const setup::MachineBody& link : file.bodies) {
         overlay.bodies.push_back(machine_body(link, corners_at(link, values)));
-        for (const cda::Vec3& p : overlay.bodies.back().surface.vertices)
+        for (const Vec3& p : overlay.bodies.back().surface.vertices)
             box.add(p);
     }
     if (overlay.bodies.empty())

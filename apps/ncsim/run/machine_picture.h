@@ -18,7 +18,7 @@ namespace ncsim::app {
 void make_transparent(setup::MachineFile& file, const std::vector<std::string>& names);
 
 /// Returns a link of a machine as a body with corners at `corners`.
-exporter::Body machine_body(const setup::MachineBody& link, std::vector<cda::Vec3> corners);
+exporter::Body machine_body(const setup::MachineBody& link, std::vector<Vec3> corners);
 
 /// Draws the links with the joints at `values`, seen along `view`.
 /// Throws: std::runtime_error if no link has a shape, or the picture cannot be drawn.

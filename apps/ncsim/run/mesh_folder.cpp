@@ -3,10 +3,10 @@
 // Writes the meshes of tiles.
 #include "run/mesh_folder.h"
 
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/parallel.h"
 #include "ncsim/cda/tiles.h"
 #include "ncsim/export/gltf.h"
-#include "ncsim/export/seams.h"
+#include "ncsim/mesh/seams.h"
 #include "ncsim/report/mesh_list.h"
 #include "ncsim/setup/digest.h"
 
@@ -30,12 +30,12 @@ namespace {
 struct MadeMesh {
     report::MeshFile file;
     std::string bytes;
-    std::vector<exporter::FloatEdge> open;
+    std::vector<mesh::FloatEdge> open;
 };
 
 // Returns whole millimetres near the middle of the stock, which are equal for all tiles.
-cda::Vec3 common_centre(const simulation::Survey& survey) {
-    const cda::Vec3 centre = survey.stock->box.centre();
+Vec3 common_centre(const simulation::Survey& survey) {
+    const Vec3 centre = survey.stock->box.centre();
     return {std::round(centre.x), std::round(centre.y), std::round(centre.z)};
 }
 
@@ -68,11 +68,11 @@ void write_mesh_folder(const std::string& folder, const simulation::Plan& plan,
     // An old list would describe different files until it is rewritten.
     fs::remove(list, error);
     const cda::Tiles& tiles = *plan.tiles->tiles;
-    const cda::Vec3 centre = common_centre(survey);
+    const Vec3 centre = common_centre(survey);
     const std::string name = without_slash(folder).filename().string();
     std::vector<report::MeshFile> files;
-    exporter::Seams seams;
-    cda::make_in_parallel(
+    mesh::Seams seams;
+    make_in_parallel(
         plan.threads, tiles.size(),
         [&](std::size_t tile) {
             MadeMesh made;

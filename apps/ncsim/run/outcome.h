@@ -8,7 +8,7 @@
 #include "ncsim/brep/recognise.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/drawing.h"
-#include "ncsim/export/simplify.h"
+#include "ncsim/mesh/simplify.h"
 #include "ncsim/report/checked.h"
 #include "ncsim/report/facts.h"
 #include "ncsim/report/run_report.h"
@@ -41,7 +41,7 @@ struct Outcome {
     /// Shading of `boundary`; null: default.
     const brep::Shading* shading = nullptr;
     /// Simplified surface for meshes; null: `boundary`.
-    const exporter::Simplified* simplified = nullptr;
+    const mesh::Simplified* simplified = nullptr;
     /// Solid for --step; null: no output.
     const simulation::Solid* solid = nullptr;
     std::optional<brep::Mass> solid_mass{};  ///< Mass of `solid`.

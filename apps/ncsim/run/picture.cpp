@@ -42,10 +42,10 @@ constexpr double kBlockMargin = 0.3;
 
 // Returns the box of the links with all joints at 0, so successive pictures have the same camera;
 // machine coordinates.
-cda::Box machine_box(const Outcome& outcome) {
-    cda::Box box;
+Box machine_box(const Outcome& outcome) {
+    Box box;
     for (const setup::MachineBody& body : outcome.machine->bodies) {
-        for (const cda::Vec3& p : body.mesh.vertices)
+        for (const Vec3& p : body.mesh.vertices)
             box.add(p);
     }
     return box;
@@ -78,8 +78,8 @@ void add_machine(const Outcome& outcome, exporter::Overlay& overlay) {
     const setup::MachineFile& machine = *outcome.machine;
     const machine::Values values = joints_of(outcome);
     for (const setup::MachineBody& link : machine.bodies) {
-        std::vector<cda::Vec3> corners = corners_at(link, values);
-        for (cda::Vec3& p : corners)
+        std::vector<Vec3> corners = corners_at(link, values);
+        for (Vec3& p : corners)
             p = setup::on_part(machine.part_moved_by, values, p) - outcome.plan.placed->zero;
         overlay.bodies.push_back(machine_body(link, std::move(corners)));
         mark_if_met(outcome, fmt::format("the link '{}'", link.link), overlay.bodies.back());
@@ -98,32 +98,32 @@ exporter::Camera seen_from_part(exporter::Camera camera, const machine::Pose& X_
     const machine::Pose X_WM = machine::inverse(X_MW);
     const machine::Pose R_WM{X_WM.rows, {}};
     camera.target = X_WM * camera.target;
-    for (cda::Vec3* direction : {&camera.right, &camera.up, &camera.back})
+    for (Vec3* direction : {&camera.right, &camera.up, &camera.back})
         *direction = R_WM * *direction;
     return camera;
 }
 
 // Returns the box to be shown: in machine coordinates if the machine is fixed, otherwise in W.
-cda::Box visible_box(const Outcome& outcome) {
+Box visible_box(const Outcome& outcome) {
     const Options& o = outcome.options;
     if (is_machine_fixed(outcome)) return machine_box(outcome);
-    cda::Box seen = outcome.survey.stock->box;
+    Box seen = outcome.survey.stock->box;
     if (o.shows_machine) {
-        const cda::Box machine = machine_box(outcome);
+        const Box machine = machine_box(outcome);
         seen.add(machine.min - outcome.plan.placed->zero);
         seen.add(machine.max - outcome.plan.placed->zero);
     }
     if (!outcome.fixtures.empty()) seen = simulation::box_with_fixtures(seen, outcome.fixtures);
     if (!o.shows_path && !o.shows_tool) return seen;
     const double reach = kBlockMargin * norm(seen.size());
-    const cda::Vec3 margin{reach, reach, reach};
-    const cda::Box around{seen.min - margin, seen.max + margin};
-    const auto show = [&](cda::Vec3 p) {
+    const Vec3 margin{reach, reach, reach};
+    const Box around{seen.min - margin, seen.max + margin};
+    const auto show = [&](Vec3 p) {
         for (int axis = 0; axis < 3; ++axis)
             p[axis] = std::clamp(p[axis], around.min[axis], around.max[axis]);
         seen.add(p);
     };
-    const cda::Box& tips = outcome.survey.tip_positions;
+    const Box& tips = outcome.survey.tip_positions;
     if (!tips.is_empty()) {
         show(tips.min);
         show(tips.max);
@@ -139,12 +139,12 @@ bool has_marks(const Options& o) {
 
 // Returns the plane that removes the half towards the eye; for a plane along the line of sight, the
 // half that an isometric view removes.
-exporter::CutPlane cut_plane(const brep::SectionPlane& plane, const exporter::Camera& camera) {
+mesh::CutPlane cut_plane(const brep::SectionPlane& plane, const exporter::Camera& camera) {
     constexpr double kAlong = 1e-9;
-    constexpr cda::Vec3 kIsoSide{1, -1, 1};
+    constexpr Vec3 kIsoSide{1, -1, 1};
     double side = camera.back[plane.axis];
     if (std::abs(side) < kAlong) side = kIsoSide[plane.axis];
-    exporter::CutPlane cut;
+    mesh::CutPlane cut;
     cut.normal[plane.axis] = side > 0.0 ? 1.0 : -1.0;
     cut.offset = cut.normal[plane.axis] * plane.at;
     return cut;
@@ -167,7 +167,7 @@ std::uint32_t strip_rows(const Options& o) {
 std::vector<ViewSize> view_sizes(const Outcome& outcome,
                                  std::span<const exporter::SheetCell> cells) {
     const Options& o = outcome.options;
-    const cda::Box box = visible_box(outcome);
+    const Box box = visible_box(outcome);
     const std::uint32_t most = o.height - strip_rows(o);
     double mm_per_pixel = 0.0;
     for (const exporter::View view : o.views) {
@@ -194,8 +194,8 @@ std::vector<ViewSize> view_sizes(const Outcome& outcome,
 exporter::RenderOptions render_options(const Outcome& outcome, exporter::View view,
                                        const ViewSize& size) {
     const Options& o = outcome.options;
-    const cda::Box& stock = outcome.survey.stock->box;
-    const cda::Box& tips = outcome.survey.tip_positions;
+    const Box& stock = outcome.survey.stock->box;
+    const Box& tips = outcome.survey.tip_positions;
     exporter::RenderOptions options;
     options.width = o.width;
     options.height = o.height;
@@ -221,7 +221,7 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
     if (o.shows_machine) options.camera.depth += norm(machine_box(outcome).size());
     // Paths and tools beyond the picture may also be far in front of it.
     if (o.shows_path || o.shows_tool) {
-        cda::Box all = stock;
+        Box all = stock;
         if (!tips.is_empty()) {
             all.add(tips.min);
             all.add(tips.max);
@@ -288,7 +288,7 @@ exporter::Image view_of(const Outcome& outcome, exporter::View view, const ViewS
 
 }  // namespace
 
-void require_cut_view(const Options& options, const cda::Box& body, std::string_view name) {
+void require_cut_view(const Options& options, const Box& body, std::string_view name) {
     if (!options.cut_view) return;
     const auto& [axis, at] = *options.cut_view;
     if (at > body.min[axis] && at < body.max[axis]) return;

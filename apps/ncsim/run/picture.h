@@ -3,7 +3,7 @@
 // Picture of `ncsim run --png`.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/export/image.h"
 
 #include "run/outcome.h"
@@ -19,6 +19,6 @@ exporter::Image picture(const Outcome& outcome);
 
 /// Throws: std::runtime_error if the plane of --cut-view does not cut a body with the box `body`.
 /// `name`: "stock" or "part".
-void require_cut_view(const Options& options, const cda::Box& body, std::string_view name);
+void require_cut_view(const Options& options, const Box& body, std::string_view name);
 
 }  // namespace ncsim::app

@@ -5,16 +5,16 @@
 
 #include "ncsim/brep/flat_part.h"
 #include "ncsim/brep/recognise.h"
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/drawing.h"
 #include "ncsim/export/gltf.h"
 #include "ncsim/export/ply.h"
 #include "ncsim/export/png.h"
-#include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
 #include "ncsim/export/stl.h"
 #include "ncsim/export/threemf.h"
 #include "ncsim/export/vrml.h"
+#include "ncsim/mesh/simplify.h"
 #include "ncsim/report/assumption_sheet.h"
 #include "ncsim/report/page.h"
 #include "ncsim/report/plain_text.h"
@@ -88,7 +88,7 @@ std::vector<verify::Fixture> fixtures_of(const simulation::Plan& plan,
 // With called files, line numbers are ambiguous, so there is no text.
 std::map<std::uint32_t, std::string> text_of_lines(const simulation::Plan& plan,
                                                    const simulation::Survey& survey,
-                                                   const exporter::Provenance& provenance,
+                                                   const mesh::Provenance& provenance,
                                                    const cda::Boundary& boundary) {
     std::map<std::uint32_t, std::string> text;
     if (survey.interpretation.files.size() > 1) return text;
@@ -113,10 +113,10 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     const cda::Boundary* mesh =
         outcome.simplified ? &outcome.simplified->boundary : outcome.boundary;
     // Formats with polygons get simplified faces.
-    std::optional<exporter::Simplified> counted;
-    const auto simplified = [&]() -> const exporter::Simplified& {
+    std::optional<mesh::Simplified> counted;
+    const auto simplified = [&]() -> const mesh::Simplified& {
         if (outcome.simplified) return *outcome.simplified;
-        if (!counted) counted = exporter::simplify(*mesh, exporter::kFlatTolerance, &s.provenance);
+        if (!counted) counted = mesh::simplify(*mesh, mesh::kFlatTolerance, &s.provenance);
         return *counted;
     };
     const auto polygons = [&]() -> const cda::Boundary& { return simplified().boundary; };
@@ -300,7 +300,7 @@ int run(Options options) {
         simulation::require_tolerance(*design);
     }
     std::optional<simulation::Simulation> simulation;
-    std::optional<exporter::Simplified> simplified;
+    std::optional<mesh::Simplified> simplified;
     std::optional<simulation::Solid> true_surfaces, facets;
     std::optional<brep::Shading> shading;
     if (survey.is_ready()) {
@@ -369,7 +369,7 @@ int run(Options options) {
             outcome.page_data = &*page_data;
         }
         if (o.simplify && outcome.boundary) {
-            simplified = exporter::simplify(*outcome.boundary, *o.simplify);
+            simplified = mesh::simplify(*outcome.boundary, *o.simplify);
             outcome.simplified = &*simplified;
         }
         true_surfaces = true_solid(outcome);

@@ -16,9 +16,9 @@ namespace ncsim::app {
 
 namespace {
 
-cda::Vec3 offset_of(const setup::Job& job, int number) {
+Vec3 offset_of(const setup::Job& job, int number) {
     const toolpath::ToolEntry* entry = toolpath::find_tool(job.tools, number);
-    return entry ? entry->offset : cda::Vec3{};
+    return entry ? entry->offset : Vec3{};
 }
 
 // Returns `path` relative to the folder of `job_file`.

@@ -24,7 +24,7 @@ void add_node(const std::string& name, std::vector<exporter::Body> bodies,
     node.parent = scene.part_on;
     if (node.parent) node.origin = scene.nodes[*node.parent].origin;
     for (exporter::Body& body : bodies) {
-        for (cda::Vec3& p : body.surface.vertices)
+        for (Vec3& p : body.surface.vertices)
             p = p + scene.zero;
     }
     node.bodies = std::move(bodies);

@@ -34,7 +34,7 @@ std::vector<exporter::Body> tool_bodies(const toolpath::Tool& tool, const toolpa
         if (!cell) continue;
         exporter::Body body{cda::FlatCda().create(*cell, kLattice)->boundary(),
                             piece.cutting ? cutting : holder};
-        for (cda::Vec3& p : body.surface.vertices)
+        for (Vec3& p : body.surface.vertices)
             p = X_WT * p;
         for (cda::BoundaryFace& face : body.surface.faces) {
             face.normal = R_WT * face.normal;

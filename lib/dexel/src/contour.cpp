@@ -8,8 +8,8 @@
 //              parallel to z, one facet for all edges between vertices that are kept
 #include "contour.h"
 
-#include "ncsim/cda/disjoint_sets.h"
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/disjoint_sets.h"
+#include "ncsim/base/parallel.h"
 
 #include "cell_components.h"
 
@@ -29,7 +29,6 @@ namespace ncsim::dexel {
 
 namespace {
 
-using cda::Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
 // indices of a grid corner, or of the cell that begins there
 using Place = std::array<std::size_t, 3>;
@@ -41,8 +40,8 @@ public:
         : columns_y_(grid.axes[1].corners()),
           words_((grid.axes[2].corners() + 63) / 64),
           bits_(grid.axes[0].corners() * columns_y_ * words_, 0) {
-        const cda::Runs runs(grid.axes[0].corners(), 8);
-        cda::in_parallel(threads, runs.tasks(), [&](std::size_t task) {
+        const Runs runs(grid.axes[0].corners(), 8);
+        in_parallel(threads, runs.tasks(), [&](std::size_t task) {
             for (std::size_t x = runs.begin(task); x < runs.end(task); ++x) {
                 for (std::size_t y = 0; y < columns_y_; ++y)
                     mark(along_z(x, y), grid.axes[2], &bits_[(x * columns_y_ + y) * words_]);
@@ -100,12 +99,12 @@ public:
             const Vec3& n = normals_[i];
             xx += n.x * n.x, xy += n.x * n.y, xz += n.x * n.z;
             yy += n.y * n.y, yz += n.y * n.z, zz += n.z * n.z;
-            b = b + cda::dot(n, points_[i] - mean) * n;
+            b = b + dot(n, points_[i] - mean) * n;
         }
         const Vec3 r0{xx, xy, xz}, r1{xy, yy, yz}, r2{xz, yz, zz};
-        const double det = cda::dot(r0, cda::cross(r1, r2));
-        return mean + (1.0 / det) * (b.x * cda::cross(r1, r2) + b.y * cda::cross(r2, r0) +
-                                     b.z * cda::cross(r0, r1));
+        const double det = dot(r0, cross(r1, r2));
+        return mean +
+               (1.0 / det) * (b.x * cross(r1, r2) + b.y * cross(r2, r0) + b.z * cross(r0, r1));
     }
 
 private:
@@ -226,7 +225,7 @@ private:
 
     void place_corners() {
         column_.assign(grid_.axes[0].cells() * grid_.axes[1].cells() + 1, 0);
-        cda::make_in_parallel(
+        make_in_parallel(
             threads_, grid_.axes[0].cells(), [&](std::size_t x) { return slab(x); },
             [&](std::size_t x, const Slab& slab) {
                 for (std::size_t y = 0; y < slab.counts.size(); ++y)
@@ -471,11 +470,11 @@ private:
         for (const CuttingCell::Facet& facet : stock_.facets) {
             const Vec3 n{facet.normal[0], facet.normal[1], facet.normal[2]};
             if (n[a] == 0.0 || (n[a] > 0.0) == enters) continue;
-            const double place = p[a] + (facet.offset - cda::dot(n, p)) / n[a];
+            const double place = p[a] + (facet.offset - dot(n, p)) / n[a];
             if (!(low < place && place < high)) continue;
             // The innermost facet.
             if (!found || (enters ? place > found->at : place < found->at))
-                found = Crossing{place, cda::normalized(n), cda::kStockOrigin};
+                found = Crossing{place, normalized(n), cda::kStockOrigin};
         }
         return found;
     }
@@ -566,8 +565,8 @@ private:
                 add(0, i, i + 1);
             return;
         }
-        const double here = cda::norm(points[loop[2]] - points[loop[0]]);
-        const double there = cda::norm(points[loop[3]] - points[loop[1]]);
+        const double here = norm(points[loop[2]] - points[loop[0]]);
+        const double there = norm(points[loop[3]] - points[loop[1]]);
         if (here <= there) {
             add(0, 1, 2);
             add(0, 2, 3);
@@ -702,7 +701,7 @@ cda::Boundary Contour::boundary() const {
     boundary.vertices.reserve(contouring.points.size());
     for (const Vec3& p : contouring.points)
         boundary.vertices.push_back(lattice_.to_mm(p));
-    cda::DisjointSets shells(contouring.points.size());
+    DisjointSets shells(contouring.points.size());
     for (const auto& [a, b, c] : contouring.triangles) {
         shells.unite(a, b);
         shells.unite(b, c);
@@ -712,11 +711,11 @@ cda::Boundary Contour::boundary() const {
     boundary.faces.reserve(contouring.triangles.size());
     for (std::size_t t = 0; t < contouring.triangles.size(); ++t) {
         const auto& [a, b, c] = contouring.triangles[t];
-        const Vec3 n = cda::cross(boundary.vertices[b] - boundary.vertices[a],
-                                  boundary.vertices[c] - boundary.vertices[a]);
+        const Vec3 n = cross(boundary.vertices[b] - boundary.vertices[a],
+                             boundary.vertices[c] - boundary.vertices[a]);
         cda::BoundaryFace face;
-        face.normal = cda::norm(n) > 0.0 ? cda::normalized(n) : Vec3{0, 0, 1};
-        face.offset = cda::dot(face.normal, boundary.vertices[a]);
+        face.normal = norm(n) > 0.0 ? normalized(n) : Vec3{0, 0, 1};
+        face.offset = dot(face.normal, boundary.vertices[a]);
         face.origin = contouring.origins[t];
         face.loops.emplace_back(std::vector{a, b, c});
         std::uint32_t& shell = number[shells.find(a)];

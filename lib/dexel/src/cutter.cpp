@@ -131,8 +131,8 @@ void Cutter::subtract(std::size_t row, std::size_t ray, const PendingCuts::Cut& 
         if (const auto* cell = std::get_if<CuttingCell>(&body))
             return End{at, cell->origin, cell->facets[static_cast<std::size_t>(s)].left};
         const auto& tool = std::get<SweptTool>(body);
-        const cda::Vec3 normal = tool.normal(rays_.axis(), grid_.axes[rays_.u_axis()].at[ray],
-                                             grid_.axes[rays_.v_axis()].at[row], !below, at, s);
+        const Vec3 normal = tool.normal(rays_.axis(), grid_.axes[rays_.u_axis()].at[ray],
+                                        grid_.axes[rays_.v_axis()].at[row], !below, at, s);
         return End{at, tool.origin, PackedNormal::of(-1.0 * normal)};
     });
 }

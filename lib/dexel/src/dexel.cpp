@@ -3,7 +3,7 @@
 // The dexel model: rays, batches of waiting bodies, volume, surface.
 #include "ncsim/dexel/dexel.h"
 
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/parallel.h"
 
 #include "contour.h"
 #include "cutter.h"
@@ -38,13 +38,13 @@ constexpr std::size_t kMostCells = 1024;
 // Runs of rows per thread.
 constexpr std::size_t kRuns = 4;
 
-cda::Vec3 in_units(cda::Vec3 mm, const cda::Lattice& lattice) {
+Vec3 in_units(Vec3 mm, const cda::Lattice& lattice) {
     return (1.0 / lattice.unit_mm) * mm;
 }
 
 }  // namespace
 
-double finest_resolution(cda::Vec3 size) {
+double finest_resolution(Vec3 size) {
     const double all = size.x * size.y + size.y * size.z + size.z * size.x;
     constexpr double kEdges = 1.01;  // rays beyond the stock
     return kEdges * std::sqrt(all / kMostRays);
@@ -56,8 +56,8 @@ public:
 
     Impl(const DexelParameters& parameters, const cda::Cell& stock, const cda::Lattice& lattice)
         : parameters_(parameters), lattice_(lattice) {
-        const cda::Vec3 min = in_units(stock.bounds.min, lattice);
-        const cda::Vec3 max = in_units(stock.bounds.max, lattice);
+        const Vec3 min = in_units(stock.bounds.min, lattice);
+        const Vec3 max = in_units(stock.bounds.max, lattice);
         if (!(min.x < max.x && min.y < max.y && min.z < max.z))
             throw std::invalid_argument("stock without volume");
         const double longest = std::max({max.x - min.x, max.y - min.y, max.z - min.z});
@@ -176,14 +176,14 @@ private:
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::size_t rows = (*rays_)[axis].rows();
             const std::size_t each = rows / (threads <= 1 ? 1 : kRuns * threads) / kBlock + 1;
-            const cda::Runs runs(rows, each * kBlock);
+            const Runs runs(rows, each * kBlock);
             for (std::size_t i = 0; i < runs.tasks(); ++i)
                 tasks.push_back({axis, runs.begin(i), runs.end(i)});
         }
         const std::vector<Stretch> all{{0, pending_.size(), false}};
         const std::vector<Stretch> along_z =
             stretches_of(spans_.size(), [&](std::size_t k) { return spans_[k].is_open; });
-        cda::in_parallel(parameters_.threads, tasks.size(), [&](std::size_t i) {
+        in_parallel(parameters_.threads, tasks.size(), [&](std::size_t i) {
             const auto& [axis, begin, end] = tasks[i];
             for (const Stretch& stretch : axis == 2 ? along_z : all)
                 cut(axis, begin, end, stretch);
@@ -261,7 +261,7 @@ cda::RemovalByMotion Dexel::account() const {
 void Dexel::render(cda::FacetCanvas& canvas) const {
     const cda::Boundary surface = boundary();
     for (const cda::BoundaryFace& face : surface.faces) {
-        std::vector<cda::Vec3> outline;
+        std::vector<Vec3> outline;
         for (const std::uint32_t corner : face.loops.front())
             outline.push_back(surface.vertices[corner]);
         canvas.draw({face.normal, face.origin, outline, {}});
@@ -280,8 +280,8 @@ cda::Boundary Dexel::boundary() const {
     return impl_->contour().boundary();
 }
 
-bool Dexel::contains(cda::Vec3 point) const {
-    const cda::Vec3 p = in_units(point, impl_->lattice());
+bool Dexel::contains(Vec3 point) const {
+    const Vec3 p = in_units(point, impl_->lattice());
     const Rays& along_z = impl_->rays()[2];
     const auto nearest = [&](std::size_t axis, double at) {
         const GridAxis& here = impl_->grid().axes[axis];

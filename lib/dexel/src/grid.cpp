@@ -32,7 +32,7 @@ std::size_t GridAxis::from(double place) const {
     return i;
 }
 
-Grid::Grid(cda::Vec3 min, cda::Vec3 max, double pitch)
+Grid::Grid(Vec3 min, Vec3 max, double pitch)
     : axes{GridAxis(min.x, max.x, pitch), GridAxis(min.y, max.y, pitch),
            GridAxis(min.z, max.z, pitch)} {
     const auto corners = [this](std::size_t axis) {
@@ -42,7 +42,7 @@ Grid::Grid(cda::Vec3 min, cda::Vec3 max, double pitch)
     if (!(rays <= kMostRays)) throw std::invalid_argument("the resolution is too fine");
 }
 
-GridBox::GridBox(const cda::Box& bounds, const cda::Lattice& lattice, const Grid& grid) {
+GridBox::GridBox(const Box& bounds, const cda::Lattice& lattice, const Grid& grid) {
     constexpr double kRoom = 2.0;
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);

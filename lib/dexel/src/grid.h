@@ -3,8 +3,8 @@
 // Positions of the rays: corners of a grid that begins and ends outside of the stock.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/lattice.h"
-#include "ncsim/cda/vec.h"
 
 #include <array>
 #include <cstddef>
@@ -34,14 +34,14 @@ inline constexpr double kMostRays = 2e6;
 struct Grid {
     /// Builds the grid of a box in units. Throws: std::invalid_argument if the grid exceeds
     /// kMostRays.
-    Grid(cda::Vec3 min, cda::Vec3 max, double pitch);
+    Grid(Vec3 min, Vec3 max, double pitch);
 
     std::array<GridAxis, 3> axes;
 };
 
 /// Bounds of a body with a margin for rounding, and the corners within.
 struct GridBox {
-    GridBox(const cda::Box& bounds_mm, const cda::Lattice& lattice, const Grid& grid);
+    GridBox(const Box& bounds_mm, const cda::Lattice& lattice, const Grid& grid);
 
     std::array<double, 3> low, high;        ///< Units.
     std::array<std::size_t, 3> begin, end;  ///< Range of corners within, along each axis.

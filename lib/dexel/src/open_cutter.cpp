@@ -174,7 +174,7 @@ void OpenCutter::store(std::span<const SweptTool* const> tools, std::size_t colu
             if (number < 0) continue;
             const SweptTool& tool = *tools[static_cast<std::size_t>(number)];
             gaps[i] = rays[i].cut_above(low, [&] {
-                const cda::Vec3 n = tool.normal(2, x_[begin + i], y_[v], false, at, lowest_.s[k]);
+                const Vec3 n = tool.normal(2, x_[begin + i], y_[v], false, at, lowest_.s[k]);
                 return End{low, tool.origin, PackedNormal::of(-1.0 * n)};
             });
         }

@@ -16,7 +16,7 @@ double sign(double x) {
 
 }  // namespace
 
-cda::Vec3 PackedNormal::unpacked() const {
+Vec3 PackedNormal::unpacked() const {
     double x = u / kFull, y = v / kFull;
     const double z = 1.0 - std::abs(x) - std::abs(y);
     if (z < 0.0) {
@@ -24,7 +24,7 @@ cda::Vec3 PackedNormal::unpacked() const {
         y = (1.0 - std::abs(x)) * sign(y);
         x = folded;
     }
-    return cda::normalized({x, y, z});
+    return normalized({x, y, z});
 }
 
 Ray::Ray(const Ray& other)

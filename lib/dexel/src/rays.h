@@ -3,8 +3,8 @@
 // Rays along an axis, with the intervals in the material.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/origin.h"
-#include "ncsim/cda/vec.h"
 
 #include "grid.h"
 
@@ -23,12 +23,12 @@ struct PackedNormal {
 
     static constexpr double kFull = 32767.0;
 
-    static PackedNormal of(cda::Vec3 normal);
-    cda::Vec3 unpacked() const;
+    static PackedNormal of(Vec3 normal);
+    Vec3 unpacked() const;
 };
 
 // Called for each end. Signs are random, so the code avoids branches on signs.
-inline PackedNormal PackedNormal::of(cda::Vec3 n) {
+inline PackedNormal PackedNormal::of(Vec3 n) {
     const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
     if (!(sum > 0.0)) return {};
     double u = n.x / sum, v = n.y / sum;

@@ -97,7 +97,6 @@ namespace ncsim::dexel {
 
 namespace {
 
-using cda::Vec3;
 using Tip = SweptTool::Tip;
 
 Tip tip_of(const cda::RoundSweep& sweep) {
@@ -275,7 +274,7 @@ Vec3 SweptTool::normal(std::size_t axis, double u, double v, bool is_high, doubl
     constexpr double kLevel = 1e-6;
     const bool is_on_ball = tip_ == Tip::Ball && q[2] < n.tip && (is_side || !is_high);
     if (0.0 < s && s < 1.0 && !is_on_ball && std::abs(n.way[2]) > kLevel * n.way_across) {
-        const Vec3 across = cda::cross({n.way[0], n.way[1], n.way[2]}, {-q[1], q[0], 0.0});
+        const Vec3 across = cross({n.way[0], n.way[1], n.way[2]}, {-q[1], q[0], 0.0});
         const double along = across[static_cast<int>(axis)];
         if (along != 0.0) return is_high == (along > 0.0) ? across : -1.0 * across;
     }

@@ -119,7 +119,7 @@ public:
     double lowest_at(double y) const;
     /// Returns the normal of the sweep at the end where the ray leaves (`is_high`) or enters, with
     /// `at` and `s` from intersect_row(); points outwards, not of unit length.
-    cda::Vec3 normal(std::size_t axis, double u, double v, bool is_high, double at, double s) const;
+    Vec3 normal(std::size_t axis, double u, double v, bool is_high, double at, double s) const;
 
     GridBox box;
     cda::Origin origin;

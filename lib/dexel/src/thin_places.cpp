@@ -34,7 +34,7 @@ public:
         const double mm = thickness * lattice_.unit_mm;
         if (found.thinnest_mm != 0.0 && mm >= found.thinnest_mm) return;
         found.thinnest_mm = mm;
-        cda::Vec3 at;
+        Vec3 at;
         at[static_cast<int>(rays_.axis())] = 0.5 * (place.low.at + place.high.at);
         at[static_cast<int>(rays_.u_axis())] = grid_.axes[rays_.u_axis()].at[u];
         at[static_cast<int>(rays_.v_axis())] = grid_.axes[rays_.v_axis()].at[v];
@@ -85,7 +85,7 @@ double slope_of(const Ray& ray, std::size_t along, std::size_t axis) {
     double sum = 0.0;
     for (const Interval& interval : ray.intervals()) {
         for (const End* end : {&interval.low, &interval.high}) {
-            const cda::Vec3 n = end->normal.unpacked();
+            const Vec3 n = end->normal.unpacked();
             const double up = std::abs(n[static_cast<int>(along)]);
             // Steeper planes are walls.
             constexpr double kSteepest = 0.05;

@@ -3,15 +3,13 @@
 // Forward kinematics of a chain.
 #include "ncsim/machine/chain.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
 namespace ncsim::machine {
-
-using cda::Vec3;
 
 namespace {
 
@@ -22,7 +20,7 @@ constexpr std::size_t kFirstSecond = 6;  // Index of U.
 // Returns the rotation about `u`. About X, Y or Z, the entries 0 and 1 are exact, and a product
 // with the matrix equals that of a plane rotation.
 Rows rotation(Vec3 u, double degrees) {
-    const trig::SinCos q = trig::sin_cos(degrees);
+    const SinCos q = sin_cos(degrees);
     const double c = q.cos;
     const double s = u.x + u.y + u.z < 0.0 ? -q.sin : q.sin;
     if (u.y == 0.0 && u.z == 0.0) return {{{1, 0, 0}, {0, c, -s}, {0, s, c}}};

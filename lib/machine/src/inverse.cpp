@@ -3,14 +3,12 @@
 // Closed-form inverse kinematics for at most two rotary joints.
 #include "ncsim/machine/inverse.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace ncsim::machine {
-
-using cda::Vec3;
 
 namespace {
 
@@ -28,7 +26,7 @@ std::optional<double> turn_between(Vec3 n, Vec3 from, Vec3 to) {
     from = from - dot(n, from) * n;
     to = to - dot(n, to) * n;
     if (norm(from) <= kNothing || norm(to) <= kNothing) return std::nullopt;
-    return trig::angle_of(dot(from, to), dot(n, cross(from, to)));
+    return angle_of(dot(from, to), dot(n, cross(from, to)));
 }
 
 void set(Values& values, const Joint& joint, double degrees) {
@@ -72,7 +70,7 @@ std::vector<Turns> orientation_solutions(const Chain& placed, Vec3 axis, const V
     const double c = dot(n1, n2) * dot(n2, kTool);
     const double a = dot(n1, kTool) - c;
     const double b = dot(n1, cross(n2, kTool));
-    const double size = trig::length_of(a, b);
+    const double size = hypotenuse(a, b);
     const double rest = dot(n1, axis) - c;
     if (size <= kNothing) {  // The second joint does not change the angle to n1.
         add(rotate_by_joint(second, of(now, second), kTool), {now, true});
@@ -81,8 +79,8 @@ std::vector<Turns> orientation_solutions(const Chain& placed, Vec3 axis, const V
     double cosine = rest / size;
     if (std::abs(cosine) > 1.0 + kNothing) return {};
     cosine = std::clamp(cosine, -1.0, 1.0);
-    const double middle = trig::angle_of(a, b);
-    const double aside = trig::angle_of(cosine, std::sqrt((1.0 - cosine) * (1.0 + cosine)));
+    const double middle = angle_of(a, b);
+    const double aside = angle_of(cosine, std::sqrt((1.0 - cosine) * (1.0 + cosine)));
     for (const double side : {1.0, -1.0}) {
         if (side < 0.0 && (aside == 0.0 || aside == 180.0)) break;
         const double q2 = wrap_degrees(middle + side * aside);

@@ -72,7 +72,7 @@ const Joint* master_of(const Chain& chain) {
     return two_tables ? rotary[1] : rotary[0];
 }
 
-std::optional<Turns> orient(const Chain& placed, cda::Vec3 axis, const Values& now,
+std::optional<Turns> orient(const Chain& placed, Vec3 axis, const Values& now,
                             const Travels& travels, SolutionPreference prefer) {
     const Joint* first = master_of(placed);
     const Joint* second = nullptr;

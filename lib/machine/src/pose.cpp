@@ -5,8 +5,6 @@
 
 namespace ncsim::machine {
 
-using cda::Vec3;
-
 namespace {
 
 Vec3 rotate(const Pose& pose, Vec3 v) {

@@ -5,8 +5,6 @@
 
 namespace ncsim::machine {
 
-using cda::Vec3;
-
 namespace {
 
 constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};

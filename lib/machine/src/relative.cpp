@@ -3,7 +3,7 @@
 // Chains between two bodies, and bounds of their relative motion.
 #include "ncsim/machine/relative.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,6 @@
 #include <ranges>
 
 namespace ncsim::machine {
-
-using cda::Vec3;
 
 namespace {
 
@@ -64,7 +62,7 @@ Ball move_ball(const Chain& chain, const JointMotion& joint_motion, Ball body) {
         const std::size_t letter = *index_of(joint.letter);
         const double from = joint_motion.from[letter], to = joint_motion.to[letter];
         if (joint.turns) {
-            const double turn = trig::kRadiansPerDegree * std::abs(to - from);
+            const double turn = kRadiansPerDegree * std::abs(to - from);
             const double aside = distance_from_axis(body.centre, joint);
             const double distance = aside + body.radius;
             body.bend += turn * turn * distance + 2.0 * turn * body.speed;

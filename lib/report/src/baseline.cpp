@@ -104,7 +104,7 @@ Json to_json(const std::string& program, const KnownFinding& known) {
     return json;
 }
 
-cda::Vec3 vector_from(const Json& json) {
+Vec3 vector_from(const Json& json) {
     return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
@@ -165,10 +165,10 @@ std::string name_of(const KnownFinding& f) {
     return name;
 }
 
-bool is_within(const cda::Box& inner, const cda::Box& outer) {
+bool is_within(const Box& inner, const Box& outer) {
     if (inner.is_empty() || outer.is_empty()) return inner.is_empty() == outer.is_empty();
-    const cda::Vec3 room{kSamePlace, kSamePlace, kSamePlace};
-    const cda::Vec3 low = inner.min - (outer.min - room), high = outer.max + room - inner.max;
+    const Vec3 room{kSamePlace, kSamePlace, kSamePlace};
+    const Vec3 low = inner.min - (outer.min - room), high = outer.max + room - inner.max;
     return std::min({low.x, low.y, low.z, high.x, high.y, high.z}) >= 0.0;
 }
 

@@ -42,7 +42,7 @@ void put_excerpt(std::string& text, const std::string& line, gcode::SourceSpan s
 }
 
 // Rounds to a tenth of a micrometre, without -0.
-cda::Vec3 rounded(const cda::Vec3& v) {
+Vec3 rounded(const Vec3& v) {
     const auto round = [](double x) { return std::round(1e4 * x) / 1e4 + 0.0; };
     return {round(v.x), round(v.y), round(v.z)};
 }
@@ -50,10 +50,10 @@ cda::Vec3 rounded(const cda::Vec3& v) {
 // Appends the first point and the box, whose height is the depth.
 void put_place(std::string& text, const Finding& f, LengthUnit unit) {
     if (!f.point) return;
-    const cda::Vec3 at = rounded(*f.point);
+    const Vec3 at = rounded(*f.point);
     text += in_unit(fmt::format("  at X{:.6g} Y{:.6g} Z{:.6g}", at.x, at.y, at.z), unit);
     if (!f.box.is_empty()) {
-        cda::Box box;
+        Box box;
         box.add(rounded(f.box.min));
         box.add(rounded(f.box.max));
         append(text, ", within {}", in_unit(describe(box), unit));

@@ -10,8 +10,8 @@
 
 namespace ncsim::report {
 
-std::string describe(const cda::Box& box) {
-    const cda::Vec3 size = box.size();
+std::string describe(const Box& box) {
+    const Vec3 size = box.size();
     return fmt::format(
         "{:.6g} x {:.6g} x {:.6g} mm, X {:.6g} to {:.6g}, Y {:.6g} to {:.6g}, Z {:.6g} to {:.6g}",
         size.x, size.y, size.z, box.min.x, box.max.x, box.min.y, box.max.y, box.min.z, box.max.z);

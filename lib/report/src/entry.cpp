@@ -3,9 +3,10 @@
 // Entries as lines of JSON.
 #include "ncsim/report/entry.h"
 
+#include "ncsim/base/utf8.h"
+
 #include "json.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -35,22 +36,6 @@ void for_each_text(EntryType& entry, Take take) {
     take("reads", entry.reads);
 }
 
-// Returns the number of bytes of the first character of `text`; 0 if it is not UTF-8 (RFC 3629).
-std::size_t character_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-    const std::uint8_t lead = byte(0);
-    if (lead < 0x80) return 1;
-    const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-    if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return 0;
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xc0U) != 0x80U) return 0;
-    }
-    const bool is_overlong = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xf0 && byte(1) < 0x90);
-    const bool is_surrogate = lead == 0xed && byte(1) >= 0xa0;
-    const bool is_beyond = lead == 0xf4 && byte(1) >= 0x90;
-    return is_overlong || is_surrogate || is_beyond ? 0 : length;
-}
-
 // JSON is UTF-8, but programs need not be. A byte B that is not UTF-8 is stored as the character
 // U+10FF00 + B: F4 8F BC..BF, then a byte with the low six bits of B. Each byte of a character in
 // this range is stored the same way.
@@ -59,19 +44,19 @@ constexpr std::string_view kByteMark = "\xf4\x8f";
 std::string mark_bytes(std::string_view text) {
     std::string marked;
     while (!text.empty()) {
-        const std::size_t length = character_length(text);
-        if (length > 0 && !(length == 4 && text.starts_with(kByteMark) && text[2] >= '\xbc')) {
-            marked.append(text.substr(0, length));
-            text.remove_prefix(length);
+        const Character c = first_character(text);
+        const std::string_view bytes = text.substr(0, c.bytes);
+        text.remove_prefix(c.bytes);
+        if (c.is_valid() && !(c.bytes == 4 && bytes.starts_with(kByteMark) && bytes[2] >= '\xbc')) {
+            marked.append(bytes);
             continue;
         }
-        for (std::size_t i = 0; i < std::max<std::size_t>(length, 1); ++i) {
-            const auto b = static_cast<std::uint8_t>(text[i]);
+        for (const char byte : bytes) {
+            const auto b = static_cast<std::uint8_t>(byte);
             marked.append(kByteMark);
             marked += static_cast<char>(0xbc | b >> 6);
             marked += static_cast<char>(0x80 | (b & 0x3f));
         }
-        text.remove_prefix(std::max<std::size_t>(length, 1));
     }
     return marked;
 }

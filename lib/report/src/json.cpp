@@ -15,7 +15,7 @@ double round_value(double value) {
     return std::round(value * 1e6) / 1e6 + 0.0;
 }
 
-Json vector_json(cda::Vec3 v) {
+Json vector_json(Vec3 v) {
     return Json::array({round_value(v.x), round_value(v.y), round_value(v.z)});
 }
 

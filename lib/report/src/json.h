@@ -4,7 +4,7 @@
 // without commands for CI services.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/gcode/diagnostic.h"
 
 #include <limits>
@@ -30,7 +30,7 @@ T whole_number(const Json& json) {
 }
 
 /// Returns [x, y, z].
-Json vector_json(cda::Vec3 v);
+Json vector_json(Vec3 v);
 
 /// Returns an array of {severity, code, message, file, line, column, count}.
 Json findings_json(const gcode::Diagnostics& diagnostics);

@@ -54,7 +54,7 @@ std::string ledger_csv_share(const Checked& checked, LengthUnit unit) {
                            row.last_motion, row.tool, name_of(row.kind),
                            scaled(row.length_mm, length), scaled(row.removed_mm3, volume),
                            number(row.seconds), scaled(row.removal_rate(), volume));
-        for (const cda::Vec3& corner : {row.contact.min, row.contact.max}) {
+        for (const Vec3& corner : {row.contact.min, row.contact.max}) {
             for (int axis = 0; axis < 3; ++axis) {
                 out += ',';
                 if (!row.contact.is_empty()) out += scaled(corner[axis], length);

@@ -3,6 +3,8 @@
 // Converts lengths in texts.
 #include "ncsim/report/length_unit.h"
 
+#include "ncsim/base/ascii.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,10 +31,6 @@ std::string inch_text(double inches) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
     return text;
-}
-
-bool is_digit(char c) {
-    return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
 bool is_letter(char c) {

@@ -3,6 +3,7 @@
 // Text for HTML and XML.
 #include "markup.h"
 
+#include "ncsim/base/xml_text.h"
 #include "ncsim/report/plain_text.h"
 
 #include "json.h"
@@ -10,17 +11,7 @@
 namespace ncsim::report {
 
 std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : printable(text)) {
-        switch (c) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            default: out += c;
-        }
-    }
-    return out;
+    return xml_escaped(printable(text));
 }
 
 std::string valid_utf8(const std::string& text) {

@@ -58,7 +58,7 @@ void sort_once(std::vector<T>& values) {
     values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-bool is_upright(cda::Vec3 axis) {
+bool is_upright(Vec3 axis) {
     return std::abs(axis.z) > 1.0 - 1e-9;
 }
 
@@ -135,7 +135,7 @@ private:
         return number_text(in_unit(mm, unit_), unit_ == LengthUnit::Inch ? 4 : 3);
     }
 
-    std::string place_text(cda::Vec3 at, cda::Vec3 axis) const {
+    std::string place_text(Vec3 at, Vec3 axis) const {
         if (is_upright(axis)) {
             return fmt::format("X{} Y{}, {} Z{}", length_text(at.x), length_text(at.y),
                                axis.z > 0.0 ? "from" : "from below,", length_text(at.z));
@@ -197,7 +197,7 @@ private:
         }
         rows("floors", all, [&](const Floors& floors) {
             const MeasuredFloor& f = floors.first;
-            const cda::Vec3 size = f.box.size();
+            const Vec3 size = f.box.size();
             const std::string how = floors.count > 1
                                         ? fmt::format("{} of them", floors.count)
                                         : length_text(size.x) + " x " + length_text(size.y);
@@ -216,8 +216,8 @@ private:
         std::ranges::copy_if(sheet_.distances, std::back_inserter(of),
                              [&](const MeasuredDistance& d) { return d.is_void == is_void; });
         rows(title, of, [this](const MeasuredDistance& d) {
-            const cda::Vec3 v = cda::normalized(d.to - d.from);
-            const cda::Vec3 at = 0.5 * (d.from + d.to);
+            const Vec3 v = normalized(d.to - d.from);
+            const Vec3 at = 0.5 * (d.from + d.to);
             std::string what =
                 fmt::format("along {} {} {}", number_text(v.x), number_text(v.y), number_text(v.z));
             constexpr double kAlong = 1.0 - 1e-9;
@@ -270,7 +270,7 @@ private:
 
 // --- JSON ---------------------------------------------------------------------------------
 
-Json rounded_json(cda::Vec3 v) {
+Json rounded_json(Vec3 v) {
     return {round_value(v.x), round_value(v.y), round_value(v.z)};
 }
 
@@ -359,7 +359,7 @@ Json to_json(const MeasuredDistance& d) {
     return json;
 }
 
-Json to_json(const MeasuredFloor& f, const cda::Box& extents) {
+Json to_json(const MeasuredFloor& f, const Box& extents) {
     Json json{{"z", round_value(f.z)},
               {"below_top_mm", round_value(extents.max.z - f.z)},
               {"above_bottom_mm", round_value(f.z - extents.min.z)},

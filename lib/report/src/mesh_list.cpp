@@ -17,7 +17,7 @@ constexpr int kMeshListFormat = 1;
 
 }  // namespace
 
-void write_mesh_list(std::ostream& out, const std::string& program, cda::Vec3 centre,
+void write_mesh_list(std::ostream& out, const std::string& program, Vec3 centre,
                      const std::vector<MeshFile>& files) {
     out << "{\"ncsim-meshes\": " << kMeshListFormat << ", \"version\": " << to_line(Json(kVersion))
         << ", \"program\": " << to_line(Json(program))

@@ -59,7 +59,7 @@ using Numbers = std::vector<std::uint32_t>;
 // Normals, each listed once.
 class NormalTable {
 public:
-    std::uint32_t number_of(const cda::Vec3& normal) {
+    std::uint32_t number_of(const Vec3& normal) {
         components_.clear();
         append_direction(components_, normal);
         const std::uint64_t key = std::uint64_t{components_[0] & 0xffffU} |
@@ -78,9 +78,9 @@ private:
 };
 
 // Returns a mesh of a page: corners of triangles.
-Json mesh_json(const cda::TriangleMesh& mesh) {
+Json mesh_json(const TriangleMesh& mesh) {
     Numbers vertices, triangles;
-    for (const cda::Vec3& v : mesh.vertices)
+    for (const Vec3& v : mesh.vertices)
         append_position(vertices, v);
     for (const auto& triangle : mesh.triangles)
         triangles.insert(triangles.end(), triangle.begin(), triangle.end());
@@ -91,7 +91,7 @@ Json part_json(const PageData& page_data) {
     Json json = mesh_json(page_data.mesh);
     NormalTable normals;
     Numbers normal_of;
-    for (const cda::Vec3& n : page_data.normals)
+    for (const Vec3& n : page_data.normals)
         normal_of.push_back(normals.number_of(n));
     json["normals"] = packed(normals.numbers(), 3);
     json["normalOf"] = packed(normal_of);
@@ -99,7 +99,7 @@ Json part_json(const PageData& page_data) {
     json["tools"] = packed(page_data.tool_of);
     json["formOf"] = packed(page_data.form_of);
     json["forms"] = Json::array();
-    const auto list = [](const cda::Vec3& v) {
+    const auto list = [](const Vec3& v) {
         Json values = Json::array();
         for (const double c : {v.x, v.y, v.z})
             values.push_back(std::round(c / kFormStep) * kFormStep);
@@ -186,7 +186,7 @@ Json play_json(const PlayData& play) {
     for (std::size_t i = 0; i < play.points.size(); ++i) {
         append_position(points, play.points[i]);
         append_direction(axes, play.axes[i]);
-        is_upright &= play.axes[i] == cda::Vec3{0, 0, 1};
+        is_upright &= play.axes[i] == Vec3{0, 0, 1};
     }
     Json all_tools = Json::array();
     for (const PlayTool& tool : play.tools) {
@@ -212,7 +212,7 @@ Json play_json(const PlayData& play) {
 Json joints_json(const std::vector<MachinePageData::Joint>& joints) {
     Json all = Json::array();
     for (const MachinePageData::Joint& j : joints) {
-        const cda::Vec3 &d = j.direction, &p = j.through;
+        const Vec3 &d = j.direction, &p = j.through;
         all.push_back({j.axis, j.turns, {d.x, d.y, d.z}, {p.x, p.y, p.z}});
     }
     return all;
@@ -283,7 +283,7 @@ Json data_json(const Checked& checked, const PageData& page_data) {
     data["removed"] = Json::object();
     for (const auto& [line, volume] : removed)
         data["removed"][std::to_string(line)] = std::stod(fmt::format("{:.6g}", volume));
-    const cda::Box& stock = page_data.stock;
+    const Box& stock = page_data.stock;
     data["inches"] = page_data.unit == LengthUnit::Inch;
     data["stock"] = {stock.min.x, stock.min.y, stock.min.z, stock.max.x, stock.max.y, stock.max.z};
     data["findings"] = Json::array();

@@ -3,6 +3,7 @@
 // Packs arrays for pages. Differences of neighbours are small, so most high bytes are zero.
 #include "page_arrays.h"
 
+#include <nettle/base64.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -53,21 +54,10 @@ std::uint32_t integer(double value) {
 }  // namespace
 
 std::string base64(std::string_view bytes) {
-    constexpr std::string_view kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve(bytes.size() / 3 * 4 + 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            group =
-                group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        }
-        for (std::size_t k = 0; k < 4; ++k) {
-            out += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63];
-        }
-    }
-    return out;
+    std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
+    base64_encode_raw(text.data(), bytes.size(),
+                      reinterpret_cast<const std::uint8_t*>(bytes.data()));
+    return text;
 }
 
 std::string packed(std::span<const std::uint32_t> numbers, std::size_t stride) {
@@ -95,12 +85,12 @@ std::string packed_text(const std::string& text) {
     return base64(compressed(text, kTextLevel, Z_DEFAULT_STRATEGY));
 }
 
-void append_position(std::vector<std::uint32_t>& numbers, const cda::Vec3& position) {
+void append_position(std::vector<std::uint32_t>& numbers, const Vec3& position) {
     for (const double c : {position.x, position.y, position.z})
         numbers.push_back(integer(c / kPageUnit));
 }
 
-void append_direction(std::vector<std::uint32_t>& numbers, const cda::Vec3& direction) {
+void append_direction(std::vector<std::uint32_t>& numbers, const Vec3& direction) {
     for (const double c : {direction.x, direction.y, direction.z})
         numbers.push_back(integer(kUnitVector * c));
 }

@@ -3,7 +3,7 @@
 // Arrays of numbers as text for pages; page/arrays.js is the reader.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,8 +29,8 @@ std::string packed_text(const std::string& text);
 /// Lengths of pages are integers of this unit, mm.
 inline constexpr double kPageUnit = 1e-4;
 /// Appends a position in units of kPageUnit.
-void append_position(std::vector<std::uint32_t>& numbers, const cda::Vec3& position);
+void append_position(std::vector<std::uint32_t>& numbers, const Vec3& position);
 /// Components of unit vectors are integers of 1/32767; for a normal, a step is below 0.002°.
-void append_direction(std::vector<std::uint32_t>& numbers, const cda::Vec3& direction);
+void append_direction(std::vector<std::uint32_t>& numbers, const Vec3& direction);
 
 }  // namespace ncsim::report

@@ -3,6 +3,9 @@
 // Removal of commands from text.
 #include "ncsim/report/plain_text.h"
 
+#include "ncsim/base/ascii.h"
+#include "ncsim/base/utf8.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -11,41 +14,8 @@ namespace ncsim::report {
 
 namespace {
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 bool is_graphic(char c) {
     return c > ' ' && c < '\x7f';
-}
-
-// The first character of a text and its number of bytes; U+FFFD and 1 if the text does not begin
-// with UTF-8.
-struct Character {
-    std::uint32_t code = 0xfffd;
-    std::size_t bytes = 1;
-};
-
-Character first_character(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-    const std::uint8_t lead = byte(0);
-    if (lead < 0x80) return {lead, 1};
-    const std::size_t bytes = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-    if (lead < 0xc2 || lead > 0xf4 || text.size() < bytes) return {};
-    std::uint32_t code = lead & (0xffU >> (bytes + 1));
-    for (std::size_t i = 1; i < bytes; ++i) {
-        if ((byte(i) & 0xc0U) != 0x80U) return {};
-        code = code << 6 | (byte(i) & 0x3fU);
-    }
-    return {code, bytes};
-}
-
-// True for control characters of ASCII and Latin-1, line separators, and characters that change the
-// writing direction.
-bool is_control_code(std::uint32_t code) {
-    return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x61c || code == 0x200e ||
-           code == 0x200f || (code >= 0x2028 && code <= 0x202e) ||
-           (code >= 0x2066 && code <= 0x2069);
 }
 
 // True for "##[error]", "##vso[…" and similar markers, which GitHub's runner and Azure's agent
@@ -79,8 +49,8 @@ std::string printable(std::string_view text) {
         const Character c = first_character(std::string_view(result).substr(at));
         const auto byte = static_cast<std::uint8_t>(result[at]);
         // A byte that is not UTF-8 is a control character in a Latin-1 terminal.
-        const bool is_stray = c.bytes == 1 && byte >= 0x80 && byte < 0xa0;
-        if ((is_control_code(c.code) || is_stray) && byte != '\n') {
+        const bool is_stray = !c.is_valid() && byte < 0xa0;
+        if ((c.is_control() || is_stray) && byte != '\n') {
             const char instead = byte == '\t' ? ' ' : '?';
             result.replace(at, c.bytes, c.bytes, instead);
         }

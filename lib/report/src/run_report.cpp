@@ -29,7 +29,7 @@ namespace ncsim::report {
 
 namespace {
 
-Json to_json(const cda::Box& box) {
+Json to_json(const Box& box) {
     if (box.is_empty()) return nullptr;
     return {{"min", vector_json(box.min)}, {"max", vector_json(box.max)}};
 }
@@ -316,7 +316,7 @@ std::string summary(const RunFacts& run) {
         for (const auto& [number, used] : run.program->tools)
             text += tool_line(run, number) + operation_lines(run, number);
         if (run.boundary) {
-            const cda::Box box = cda::bounds(*run.boundary);
+            const Box box = cda::bounds(*run.boundary);
             append(text, "extents   {}\n", box.is_empty() ? "nothing is left" : describe(box));
         }
         if (run.simplified && run.boundary) {

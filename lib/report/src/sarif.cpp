@@ -4,6 +4,7 @@
 // Source: Static Analysis Results Interchange Format (SARIF) Version 2.1.0, OASIS Standard, 2020.
 #include "ncsim/report/sarif.h"
 
+#include "ncsim/base/ascii.h"
 #include "ncsim/report/check_text.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/version.h"
@@ -59,12 +60,6 @@ const char* level_of(Severity severity) {
 
 // Levels in the order of output: highest severity first.
 constexpr std::array<const char*, 3> kWeights{"error", "warning", "note"};
-
-std::string_view trimmed(std::string_view text) {
-    const auto begin = text.find_first_not_of(" \t\r");
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
-}
 
 Json sarif_rules() {
     Json rules = Json::array();

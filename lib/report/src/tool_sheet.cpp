@@ -205,7 +205,7 @@ std::string tool_sheet_json(const std::string& name, const std::string& set_up,
     json["tools"] = std::move(tools);
     if (program.stock) {
         const toolpath::StockEntry& stock = *program.stock;
-        const cda::Box& box = stock.box;
+        const Box& box = stock.box;
         json["stock"] = {
             {"min", {box.min.x, box.min.y, box.min.z}},
             {"max", {box.max.x, box.max.y, box.max.z}},

@@ -67,11 +67,11 @@ double widest_radius(const Survey& survey) {
 const report::ProgramFacts::SlantingRapid* first_rapid_near_bodies(
     const Survey& survey, const VerificationOptions& verification_options) {
     if (!survey.is_ready()) return nullptr;
-    std::vector<cda::Box> bodies{survey.stock->box};
+    std::vector<Box> bodies{survey.stock->box};
     for (const verify::Fixture& fixture : verification_options.machine.machine.fixtures)
         bodies.push_back(fixture.place());
     const double radius = widest_radius(survey);
-    const auto is_near = [radius](const cda::Box& rapid, const cda::Box& body) {
+    const auto is_near = [radius](const Box& rapid, const Box& body) {
         for (int axis = 0; axis < 2; ++axis) {
             if (rapid.max[axis] + radius <= body.min[axis] ||
                 rapid.min[axis] - radius >= body.max[axis])
@@ -80,8 +80,8 @@ const report::ProgramFacts::SlantingRapid* first_rapid_near_bodies(
         return rapid.min.z < body.max.z;
     };
     for (const auto& rapid : survey.slanting_rapids) {
-        const bool meets = std::ranges::any_of(
-            bodies, [&](const cda::Box& body) { return is_near(rapid.box, body); });
+        const bool meets =
+            std::ranges::any_of(bodies, [&](const Box& body) { return is_near(rapid.box, body); });
         if (meets) return &rapid;
     }
     return nullptr;

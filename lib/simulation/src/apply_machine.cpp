@@ -20,7 +20,7 @@ std::vector<std::string> apply_machine(Plan& plan, const setup::MachineFile& fil
         if (!setup::origin_of(job.interpreter, system))
             setup::tell_offset(job.interpreter, system, origin);
     }
-    const auto lead = [](gcode::Position& to, const std::optional<cda::Vec3>& specified) {
+    const auto lead = [](gcode::Position& to, const std::optional<Vec3>& specified) {
         if (!specified) return;
         to.x = gcode::Length::from_mm(specified->x);
         to.y = gcode::Length::from_mm(specified->y);

@@ -3,8 +3,8 @@
 // Findings of the rules gouge and excess.
 #include "ncsim/simulation/design_check.h"
 
+#include "ncsim/base/triangle_tree.h"
 #include "ncsim/cda/check.h"
-#include "ncsim/cda/triangle_tree.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/setup/mesh_file.h"
 #include "ncsim/verify/design_comparison.h"
@@ -48,7 +48,7 @@ Finding finding_for(const DesignRegion& region, const Simulation& simulation) {
 }
 
 // Returns the area of a triangle in a box, mm².
-double area_within(const cda::Corners& triangle, const cda::Box& box) {
+double area_within(const TriangleCorners& triangle, const Box& box) {
     return area_of_polygon(clip_to_box({triangle.begin(), triangle.end()}, box));
 }
 
@@ -59,16 +59,16 @@ public:
 
     // Returns the name of the face that has the largest area of the design in the region; empty
     // without a name.
-    std::string of(const cda::Box& region) const {
+    std::string of(const Box& region) const {
         if (design_.face_names.empty()) return {};
         constexpr double kAround = 0.02;  // mm; includes surfaces on the sides of the region
-        const cda::Vec3 around{kAround, kAround, kAround};
-        const cda::Box box{region.min - around, region.max + around};
+        const Vec3 around{kAround, kAround, kAround};
+        const Box box{region.min - around, region.max + around};
         std::map<std::uint32_t, double> areas;
-        tree_.visit([&](const cda::Box& other) { return box.overlaps(other); },
+        tree_.visit([&](const Box& other) { return box.overlaps(other); },
                     [&](std::uint32_t t) {
                         areas[design_.mesh.face.at(t)] +=
-                            area_within(cda::corners_of(design_.mesh, t), box);
+                            area_within(corners_of(design_.mesh, t), box);
                     });
         const auto largest = std::ranges::max_element(
             areas, [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -80,7 +80,7 @@ public:
 
 private:
     const Design& design_;
-    cda::TriangleTree tree_;
+    TriangleTree tree_;
 };
 
 // Returns how much the tools of a region may have removed in excess, mm.

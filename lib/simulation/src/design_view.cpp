@@ -3,7 +3,7 @@
 // Measures the distances of a surface from a design, and sums areas by distance.
 #include "ncsim/simulation/design_view.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "deviation_mesh.h"
 

@@ -56,8 +56,8 @@ private:
 
 // Returns the first number of cuts after which both points are in different pieces. Material that
 // was separated stays separated; the last candidate separates.
-std::uint32_t separation(History& history, const std::vector<cda::Origin>& origins, cda::Vec3 a,
-                         cda::Vec3 b) {
+std::uint32_t separation(History& history, const std::vector<cda::Origin>& origins, Vec3 a,
+                         Vec3 b) {
     const auto apart = [&](std::uint32_t cuts) {
         const verify::Solids& solids = history.after(cuts).solids;
         return solids.at(a) != solids.at(b);
@@ -87,8 +87,8 @@ std::uint32_t separation(History& history, const std::vector<cda::Origin>& origi
     return last;
 }
 
-double thickness(const cda::Box& box) {
-    const cda::Vec3 size = box.size();
+double thickness(const Box& box) {
+    const Vec3 size = box.size();
     return std::min({size.x, size.y, size.z});
 }
 

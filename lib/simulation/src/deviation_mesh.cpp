@@ -3,7 +3,7 @@
 // Halves the edges of a surface where the distance from the design is not linear.
 #include "deviation_mesh.h"
 
-#include "ncsim/cda/triangle_tree.h"
+#include "ncsim/base/triangle_tree.h"
 
 #include <array>
 #include <cmath>
@@ -17,7 +17,6 @@ namespace ncsim::simulation {
 
 namespace {
 
-using cda::Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
 
 // Longest and shortest edge that is left whole or halved, as parts of the size of the part.
@@ -31,9 +30,9 @@ constexpr std::uint32_t kWhole = ~std::uint32_t{0};
 
 class Halving {
 public:
-    Halving(const cda::TriangleMesh& part, const Design& design)
+    Halving(const TriangleMesh& part, const Design& design)
         : design_(design.mesh), tolerance_(design.tolerance_mm), points_(part.vertices) {
-        cda::Box box;
+        Box box;
         for (const Vec3& v : points_)
             box.add(v);
         const double size = norm(box.size());
@@ -130,7 +129,7 @@ private:
         return has_halved;
     }
 
-    cda::TriangleTree design_;
+    TriangleTree design_;
     double tolerance_;
     double longest_ = 0.0, shortest_ = 0.0;  // mm
     std::vector<Vec3> points_;
@@ -142,7 +141,7 @@ private:
 
 }  // namespace
 
-report::DeviationMesh deviation_mesh(const cda::TriangleMesh& part, const Design& design) {
+report::DeviationMesh deviation_mesh(const TriangleMesh& part, const Design& design) {
     return Halving(part, design).run();
 }
 

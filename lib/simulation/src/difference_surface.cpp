@@ -4,7 +4,8 @@
 // difference if the common material does not contain the point.
 #include "difference_surface.h"
 
-#include "ncsim/cda/triangle_tree.h"
+#include "ncsim/base/triangle_tree.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "clip_to_box.h"
 
@@ -20,12 +21,12 @@ namespace {
 constexpr double kDepth = 1e-4;
 
 // Directions to the eye of kAxisViews.
-constexpr std::array<cda::Vec3, kAxisViews.size()> kToEye{
+constexpr std::array<Vec3, kAxisViews.size()> kToEye{
     {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, -1}}};
 
-cda::Vec3 centre_of(std::span<const cda::Vec3> polygon) {
-    cda::Vec3 sum;
-    for (const cda::Vec3& p : polygon)
+Vec3 centre_of(std::span<const Vec3> polygon) {
+    Vec3 sum;
+    for (const Vec3& p : polygon)
         sum = sum + p;
     return (1.0 / static_cast<double>(polygon.size())) * sum;
 }
@@ -38,10 +39,9 @@ DifferenceSurface::DifferenceSurface(const Simulation& part, const cda::Boundary
 
 // Returns the centre, or a point between the centre and a corner, if the material below the point
 // belongs to the difference.
-std::optional<cda::Vec3> DifferenceSurface::exposed_point(std::span<const cda::Vec3> polygon,
-                                                          cda::Vec3 normal) {
-    const cda::Vec3 centre = centre_of(polygon);
-    const auto is_difference = [&](cda::Vec3 point) {
+std::optional<Vec3> DifferenceSurface::exposed_point(std::span<const Vec3> polygon, Vec3 normal) {
+    const Vec3 centre = centre_of(polygon);
+    const auto is_difference = [&](Vec3 point) {
         if (queries_ >= kMostQueries) return false;
         ++queries_;
         point = point - kDepth * normal;
@@ -49,34 +49,34 @@ std::optional<cda::Vec3> DifferenceSurface::exposed_point(std::span<const cda::V
     };
     if (is_difference(centre)) return centre;
     constexpr double kTowardsCorner = 0.8;
-    for (const cda::Vec3& corner : polygon) {
-        const cda::Vec3 point = centre + kTowardsCorner * (corner - centre);
+    for (const Vec3& corner : polygon) {
+        const Vec3 point = centre + kTowardsCorner * (corner - centre);
         if (is_difference(point)) return point;
     }
     return std::nullopt;
 }
 
-DifferenceSurface::Found DifferenceSurface::find_in(const cda::Box& box, SeenAreas& seen) {
+DifferenceSurface::Found DifferenceSurface::find_in(const Box& box, SeenAreas& seen) {
     Found result;
     // The box holds positions of the tool, whose rounding may leave faces of the region outside.
-    const cda::Vec3 margin{kDepth, kDepth, kDepth};
-    const cda::Box grown{box.min - margin, box.max + margin};
+    const Vec3 margin{kDepth, kDepth, kDepth};
+    const Box grown{box.min - margin, box.max + margin};
     std::set<cda::Origin> origins;
     double largest = 0.0;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-        const cda::Corners corners = cda::corners_of(mesh_, t);
-        cda::Box around;
-        for (const cda::Vec3& corner : corners)
+        const TriangleCorners corners = corners_of(mesh_, t);
+        Box around;
+        for (const Vec3& corner : corners)
             around.add(corner);
         if (!around.overlaps(grown)) continue;
-        const std::vector<cda::Vec3> polygon = clip_to_box({corners.begin(), corners.end()}, grown);
+        const std::vector<Vec3> polygon = clip_to_box({corners.begin(), corners.end()}, grown);
         const double area = area_of_polygon(polygon);
         if (area <= 0.0) continue;
         const cda::BoundaryFace& face = boundary_.faces[mesh_.face[t]];
-        const std::optional<cda::Vec3> point = exposed_point(polygon, face.normal);
+        const std::optional<Vec3> point = exposed_point(polygon, face.normal);
         if (!point) continue;
         for (std::size_t i = 0; i < kToEye.size(); ++i)
-            seen[i] += area * std::max(0.0, cda::dot(face.normal, kToEye[i]));
+            seen[i] += area * std::max(0.0, dot(face.normal, kToEye[i]));
         origins.insert(face.origin);
         if (area > largest) result.point = point;
         largest = std::max(largest, area);

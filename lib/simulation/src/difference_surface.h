@@ -4,8 +4,8 @@
 // and the direction in which most of the surface faces.
 #pragma once
 
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/mesh.h"
 #include "ncsim/cda/origin.h"
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/export/camera.h"
@@ -43,22 +43,22 @@ public:
         std::vector<verify::LineRange> lines;
         bool has_stock = false;  ///< A surface is uncut stock.
         /// Point of the largest face; empty if no face was found.
-        std::optional<cda::Vec3> point;
+        std::optional<Vec3> point;
     };
     /// Adds the area of the surface in `box` to `seen`.
     /// Cost: a few point queries for each triangle in the box, at most kMostQueries altogether.
-    Found find_in(const cda::Box& box, SeenAreas& seen);
+    Found find_in(const Box& box, SeenAreas& seen);
 
     static constexpr std::size_t kMostQueries = 1'000'000;
 
 private:
-    std::optional<cda::Vec3> exposed_point(std::span<const cda::Vec3> polygon, cda::Vec3 normal);
+    std::optional<Vec3> exposed_point(std::span<const Vec3> polygon, Vec3 normal);
     void add_lines(const std::set<cda::Origin>& origins, Found& result) const;
 
     const Simulation& part_;
     const cda::Boundary& boundary_;
     const cda::WorkpieceModel& common_;
-    cda::TriangleMesh mesh_;
+    TriangleMesh mesh_;
     std::size_t queries_ = 0;
 };
 

@@ -83,7 +83,7 @@ void choose_rays(Plan& plan, const Survey& survey) {
 void choose_resolution(Plan& plan, const Survey& survey) {
     const ModelInfo* model = find_model(plan.model);
     if (!model || !model->has_resolution || !survey.is_ready()) return;
-    const cda::Vec3 size = survey.stock->box.size();
+    const Vec3 size = survey.stock->box.size();
     const double finest = dexel::finest_resolution(size);
     if (plan.resolution > 0.0 && plan.resolution < finest) {
         throw std::runtime_error(fmt::format(

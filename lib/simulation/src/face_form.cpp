@@ -3,7 +3,7 @@
 // Names and dimensions of surfaces.
 #include "ncsim/simulation/face_form.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <variant>
 
@@ -23,7 +23,7 @@ report::FaceForm form_of(const brep::Surface& surface) {
     } else if (const auto* cone = std::get_if<brep::Cone>(&surface.form)) {
         form.origin = cone->apex;
         form.axis = cone->axis;
-        form.dimensions = {2 * trig::angle_of(1.0, cone->slope)};
+        form.dimensions = {2 * angle_of(1.0, cone->slope)};
     } else if (const auto* sphere = std::get_if<brep::Sphere>(&surface.form)) {
         form.origin = sphere->centre;
         form.dimensions = {2 * sphere->radius};

@@ -36,10 +36,10 @@ std::vector<std::string> place_fixtures(verify::MachineDescription& machine, con
                 fixture.name, setup::name_of_system(fixture.system), setup::name_of_system(here)));
             return true;
         }
-        const cda::Vec3 shift = *origin - *machine.work_zero;
+        const Vec3 shift = *origin - *machine.work_zero;
         fixture.box.min = fixture.box.min + shift;
         fixture.box.max = fixture.box.max + shift;
-        for (cda::Vec3& p : fixture.mesh.vertices)
+        for (Vec3& p : fixture.mesh.vertices)
             p = p + shift;
         return false;
     });
@@ -54,8 +54,8 @@ std::vector<std::string> fixtures_in_stock(const Survey& survey,
                           survey.stock->specified_by != toolpath::ValueSource::Assumption &&
                           !survey.stock->place_assumed;
     if (!is_block) return found;
-    const cda::Box& block = survey.stock->box;
-    const auto is_inside = [&](const cda::Vec3& p) {
+    const Box& block = survey.stock->box;
+    const auto is_inside = [&](const Vec3& p) {
         for (int axis = 0; axis < 3; ++axis) {
             if (p[axis] < block.min[axis] + kDeep || p[axis] > block.max[axis] - kDeep)
                 return false;
@@ -84,7 +84,7 @@ exporter::Body body_of(const verify::Fixture& fixture) {
     body.colour = {112, 130, 152};
     const auto add_face = [&body](std::vector<std::uint32_t> loop) {
         const auto& v = body.surface.vertices;
-        const cda::Vec3 across = cross(v[loop[1]] - v[loop[0]], v[loop[2]] - v[loop[0]]);
+        const Vec3 across = cross(v[loop[1]] - v[loop[0]], v[loop[2]] - v[loop[0]]);
         if (norm(across) == 0.0) return;
         cda::BoundaryFace face;
         face.normal = normalized(across);
@@ -99,7 +99,7 @@ exporter::Body body_of(const verify::Fixture& fixture) {
             add_face({t[0], t[1], t[2]});
         return body;
     }
-    const cda::Box& box = fixture.box;
+    const Box& box = fixture.box;
     // Bits 0, 1 and 2 of a corner's number: the upper end of x, y and z.
     for (unsigned corner = 0; corner < 8; ++corner) {
         body.surface.vertices.push_back({(corner & 1U) != 0 ? box.max.x : box.min.x,
@@ -111,11 +111,11 @@ exporter::Body body_of(const verify::Fixture& fixture) {
     return body;
 }
 
-cda::Box box_with_fixtures(const cda::Box& stock, std::span<const verify::Fixture> fixtures) {
-    cda::Box all = stock;
+Box box_with_fixtures(const Box& stock, std::span<const verify::Fixture> fixtures) {
+    Box all = stock;
     const double reach = 0.5 * norm(stock.size());
     for (const verify::Fixture& fixture : fixtures) {
-        for (cda::Vec3 p : {fixture.box.min, fixture.box.max}) {
+        for (Vec3 p : {fixture.box.min, fixture.box.max}) {
             for (int axis = 0; axis < 3; ++axis)
                 p[axis] = std::clamp(p[axis], stock.min[axis] - reach, stock.max[axis] + reach);
             all.add(p);
@@ -125,8 +125,8 @@ cda::Box box_with_fixtures(const cda::Box& stock, std::span<const verify::Fixtur
 }
 
 double reach_of(std::span<const verify::Fixture> fixtures) {
-    cda::Box all;
-    all.add(cda::Vec3{});
+    Box all;
+    all.add(Vec3{});
     for (const verify::Fixture& fixture : fixtures) {
         all.add(fixture.box.min);
         all.add(fixture.box.max);

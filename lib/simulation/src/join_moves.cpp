@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostPlaces = 256;
 
-cda::Vec3 place(const gcode::Position& p) {
+Vec3 place(const gcode::Position& p) {
     return {p.x.mm(), p.y.mm(), p.z.mm()};
 }
 
@@ -64,17 +64,17 @@ bool MoveJoiner::can_join(const gcode::Motion& next) const {
         return false;
     const auto& row = std::get<gcode::Linear>(held_->action);
     if (!(row.to == line->from)) return false;
-    const cda::Vec3 from = place(row.from);
-    const cda::Vec3 way = place(line->to) - from;
-    const double length_2 = cda::dot(way, way);
+    const Vec3 from = place(row.from);
+    const Vec3 way = place(line->to) - from;
+    const double length_2 = dot(way, way);
     if (length_2 == 0.0) return false;
     double before = 0.0;
-    const auto lies_on_way = [&](const cda::Vec3& p) {
-        const double t = cda::dot(p - from, way) / length_2;
-        const cda::Vec3 off = p - from - t * way;
+    const auto lies_on_way = [&](const Vec3& p) {
+        const double t = dot(p - from, way) / length_2;
+        const Vec3 off = p - from - t * way;
         const bool is_next = t >= before && t <= 1.0;
         before = t;
-        return is_next && cda::dot(off, off) <= tolerance_mm_ * tolerance_mm_;
+        return is_next && dot(off, off) <= tolerance_mm_ * tolerance_mm_;
     };
     return std::ranges::all_of(intermediate_ends_, lies_on_way) && lies_on_way(place(row.to));
 }

@@ -5,7 +5,7 @@
 // well.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/toolpath/operation_name.h"
 
@@ -43,7 +43,7 @@ private:
     std::uint32_t last_line_ = 0;  ///< Of the held move.
     /// Joined move from the start of the row to its current end.
     std::optional<gcode::Motion> held_;
-    std::vector<cda::Vec3> intermediate_ends_;  ///< Intermediate ends, mm.
+    std::vector<Vec3> intermediate_ends_;  ///< Intermediate ends, mm.
     bool has_joined_ = false;
 };
 

@@ -26,15 +26,15 @@ public:
 
     TipPose tip_pose(const Axes& joints, double length_mm) const override {
         const machine::Pose X_WT = chain(length_mm).pose(in_W(joints));
-        const cda::Vec3 axis = axis_of(X_WT);
-        const cda::Vec3& tip = X_WT.translation;
+        const Vec3 axis = axis_of(X_WT);
+        const Vec3& tip = X_WT.translation;
         return {{tip.x + origin_[0], tip.y + origin_[1], tip.z + origin_[2]},
                 {axis.x, axis.y, axis.z}};
     }
 
     std::optional<Axes> joints_for(const Triple& tip, const Axes& joints,
                                    double length_mm) const override {
-        const cda::Vec3 tip_W{tip[0] - origin_[0], tip[1] - origin_[1], tip[2] - origin_[2]};
+        const Vec3 tip_W{tip[0] - origin_[0], tip[1] - origin_[1], tip[2] - origin_[2]};
         const auto found = machine::values_for(chain(length_mm), tip_W, in_W(joints));
         if (!found) return std::nullopt;
         Axes at = joints;
@@ -54,7 +54,7 @@ public:
         const auto of = [](const machine::Values& values, const machine::Joint& joint) {
             return values[*machine::index_of(joint.letter)];
         };
-        cda::Vec3 d{v[0], v[1], v[2]};
+        Vec3 d{v[0], v[1], v[2]};
         for (auto next = table.rbegin(); next != table.rend(); ++next)
             d = machine::rotate_by_joint(*next, of(start, *next), d);
         for (const machine::Joint& joint : table)
@@ -67,7 +67,7 @@ public:
             way == Way::Up     ? machine::SolutionPreference::PositiveMotion
             : way == Way::Down ? machine::SolutionPreference::NegativeMotion
                                : prefer_;
-        const cda::Vec3 to{axis[0], axis[1], axis[2]};
+        const Vec3 to{axis[0], axis[1], axis[2]};
         const machine::Values now = in_W(joints);
         machine::Travels travels = travels_;  // machine travels, converted to W
         for (auto& [letter, travel] : travels) {
@@ -96,7 +96,7 @@ private:
         return values;
     }
 
-    std::string why_not(cda::Vec3 to, const machine::Values& now,
+    std::string why_not(Vec3 to, const machine::Values& now,
                         const machine::Travels& travels) const {
         const auto turning = std::ranges::count_if(placed_.chain.joints, &machine::Joint::turns);
         if (turning > 2)

@@ -42,9 +42,9 @@ cda::Shape take_left_shape(const Plan& plan, const Survey& survey, Simulation& s
     shape.assumed.clear();
     for (const std::string& text : assumed)
         shape.assumed.push_back(report::one_line(text));
-    const exporter::Provenance& provenance = simulation.provenance;
+    const mesh::Provenance& provenance = simulation.provenance;
     shape.sources.clear();
-    for (const exporter::Provenance::Entry& entry : provenance.entries)
+    for (const mesh::Provenance::Entry& entry : provenance.entries)
         shape.sources.push_back(record_of(provenance, entry, {}));
     // The boundary of the cells as they will be read: ranks of cells are not written, and decide
     // which of several origins a common plane has.

@@ -51,7 +51,7 @@ void add_tool(const toolpath::Tool& tool, double length, std::int32_t number,
         body.name = "tool";
         body.colour = piece.colour;
         body.mesh = std::move(piece.mesh);
-        for (cda::Vec3& p : body.mesh.vertices)
+        for (Vec3& p : body.mesh.vertices)
             p.z -= length;
         body.moved_by = joints_of(moved_by);
         body.tool = number;
@@ -63,7 +63,7 @@ void add_tool(const toolpath::Tool& tool, double length, std::int32_t number,
 class Poses {
 public:
     // `tool_of`: number of the tool of each ToolTime.
-    Poses(const setup::MachineFile& machine, cda::Vec3 zero, const JointCourse& course,
+    Poses(const setup::MachineFile& machine, Vec3 zero, const JointCourse& course,
           std::vector<std::int32_t> tool_of)
         : machine_(machine), zero_(zero), course_(course), tool_of_(std::move(tool_of)) {}
 
@@ -74,7 +74,7 @@ public:
     // Returns the pose in which the tip is nearest to the place of a finding; empty if the finding
     // has no place or no motion.
     std::optional<MachinePageData::LinePose> at(const verify::Finding& finding) const {
-        const std::optional<cda::Vec3> point = verify::point_of(finding);
+        const std::optional<Vec3> point = verify::point_of(finding);
         std::optional<MachinePageData::LinePose> best;
         if (!point) return best;
         double nearest = std::numeric_limits<double>::infinity();
@@ -115,16 +115,15 @@ private:
         return index ? tool_of_[*index] : -1;
     }
     // Returns the tip of the tool in W.
-    cda::Vec3 tip(std::size_t line, const machine::Values& values) const {
+    Vec3 tip(std::size_t line, const machine::Values& values) const {
         const auto index = tool_time(line);
         const double length = index ? course_.tools[*index].length_mm : 0.0;
         const machine::Pose X_MN = machine::pose_of(machine_.tool_moved_by, values);
-        return setup::on_part(machine_.part_moved_by, values, X_MN * cda::Vec3{0, 0, -length}) -
-               zero_;
+        return setup::on_part(machine_.part_moved_by, values, X_MN * Vec3{0, 0, -length}) - zero_;
     }
 
     const setup::MachineFile& machine_;
-    cda::Vec3 zero_;
+    Vec3 zero_;
     const JointCourse& course_;
     std::vector<std::int32_t> tool_of_;
 };

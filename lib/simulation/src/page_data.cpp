@@ -4,7 +4,7 @@
 #include "ncsim/simulation/page_data.h"
 
 #include "ncsim/brep/surface_forms.h"
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/png.h"
 #include "ncsim/export/render.h"
@@ -40,7 +40,7 @@ public:
         std::vector<std::int64_t> key;
         for (const double length : form.dimensions)
             key.push_back(std::llround(1e5 * length));
-        for (const cda::Vec3& v : {form.axis, form.origin}) {
+        for (const Vec3& v : {form.axis, form.origin}) {
             for (const double c : {v.x, v.y, v.z})
                 key.push_back(std::llround(1e5 * c));
         }
@@ -85,7 +85,7 @@ void add_pictures(const Survey& survey, const Simulation& simulation, const cda:
     exporter::Overlay overlay;
     for (const verify::Fixture& fixture : fixtures)
         overlay.bodies.push_back(body_of(fixture));
-    const cda::Box box = box_with_fixtures(survey.stock->box, fixtures);
+    const Box box = box_with_fixtures(survey.stock->box, fixtures);
     using exporter::View;
     for (const auto& [name, view] :
          {std::pair{"from above", View::Top}, std::pair{"isometric", View::Iso}}) {
@@ -123,7 +123,7 @@ report::PageData page_data(const Plan& plan, const Survey& survey, const Simulat
     for (std::size_t t = 0; t < data.mesh.triangles.size(); ++t) {
         const std::uint32_t f = data.mesh.face[t];
         const cda::BoundaryFace& face = boundary.faces[f];
-        const exporter::Provenance::Entry entry = simulation.provenance.of(face.origin);
+        const mesh::Provenance::Entry entry = simulation.provenance.of(face.origin);
         data.lines.push_back(entry.nc_line);
         data.tool_of.push_back(entry.tool);
         for (const std::uint32_t v : data.mesh.triangles[t])
@@ -141,7 +141,7 @@ report::PageData page_data(const Plan& plan, const Survey& survey, const Simulat
 
 report::PlayData finish_play(PlayRecorder& play, const Simulation& simulation) {
     std::vector<std::uint32_t> lines;
-    for (const exporter::Provenance::Entry& entry : simulation.provenance.entries)
+    for (const mesh::Provenance::Entry& entry : simulation.provenance.entries)
         lines.push_back(entry.nc_line);
     return play.finish(*simulation.part, std::move(lines));
 }

@@ -3,10 +3,11 @@
 // Measures of a part, with the lines and the tools that cut each feature.
 #include "ncsim/simulation/part_measures.h"
 
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/base/triangle_tree.h"
 #include "ncsim/brep/features.h"
 #include "ncsim/brep/measure.h"
-#include "ncsim/cda/mesh.h"
-#include "ncsim/cda/triangle_tree.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "threads.h"
 
@@ -19,8 +20,7 @@ namespace ncsim::simulation {
 
 namespace {
 
-report::CutBy cut_by(const std::vector<cda::Origin>& origins,
-                     const exporter::Provenance& provenance) {
+report::CutBy cut_by(const std::vector<cda::Origin>& origins, const mesh::Provenance& provenance) {
     std::set<std::uint32_t> lines, tools;
     std::set<report::EarlierLine> earlier;
     for (const cda::Origin origin : origins) {
@@ -44,8 +44,8 @@ report::CutBy cut_by(const std::vector<cda::Origin>& origins,
 report::MeasureSheet measures_of(const Plan& plan, const Survey& survey, const Solid& solid,
                                  const cda::Boundary& boundary) {
     const brep::Part& part = solid.recognised.part;
-    const cda::TriangleMesh mesh = cda::triangulate(boundary);
-    const brep::Features features = brep::features_of(part, cda::TriangleTree(mesh));
+    const TriangleMesh mesh = cda::triangulate(boundary);
+    const brep::Features features = brep::features_of(part, TriangleTree(mesh));
     const auto by = [&](const auto& feature) { return cut_by(feature.origins, solid.provenance); };
     report::MeasureSheet sheet;
     sheet.extents = cda::bounds(boundary);

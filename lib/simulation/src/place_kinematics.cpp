@@ -11,10 +11,10 @@
 
 namespace ncsim::simulation {
 
-std::optional<cda::Vec3> work_zero(const gcode::WorkOffset& workpiece) {
+std::optional<Vec3> work_zero(const gcode::WorkOffset& workpiece) {
     if (workpiece.rotation != 0.0 || workpiece.frame != gcode::OriginFrame{}) return std::nullopt;
-    return cda::Vec3{workpiece.origin[gcode::kX], workpiece.origin[gcode::kY],
-                     workpiece.origin[gcode::kZ]};
+    return Vec3{workpiece.origin[gcode::kX], workpiece.origin[gcode::kY],
+                workpiece.origin[gcode::kZ]};
 }
 
 void place_kinematics(Plan& plan) {
@@ -23,8 +23,7 @@ void place_kinematics(Plan& plan) {
     plan.job.interpreter.joints = make_joint_solver(
         {plan.kinematics->chain, {}}, {}, plan.kinematics->travels, plan.kinematics->prefer);
     const gcode::Interpretation seen = gcode::interpret(plan.job.program, plan.job.interpreter, {});
-    toolpath::Kinematics placed{plan.kinematics->chain,
-                                work_zero(seen.workpiece).value_or(cda::Vec3{})};
+    toolpath::Kinematics placed{plan.kinematics->chain, work_zero(seen.workpiece).value_or(Vec3{})};
     for (machine::Joint& joint : placed.chain.joints) {
         if (plan.kinematics->unspecified_pivots.find(joint.letter) != std::string::npos)
             joint.through = placed.zero;

@@ -13,7 +13,7 @@
 namespace ncsim::simulation {
 
 /// Returns the program zero W in machine coordinates, mm; empty if unknown.
-std::optional<cda::Vec3> work_zero(const gcode::WorkOffset& workpiece);
+std::optional<Vec3> work_zero(const gcode::WorkOffset& workpiece);
 
 /// Sets plan.placed from plan.kinematics and the program zero. Rotary axes of unknown position are
 /// assumed to pass through the program zero.

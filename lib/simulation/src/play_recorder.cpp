@@ -40,8 +40,8 @@ std::uint64_t states_for(const Plan& plan) {
     return plan.model == cda::kTiledModel ? kStates : kStatesOfMeshes;
 }
 
-double distance_from_segment(const cda::Vec3& p, const cda::Vec3& a, const cda::Vec3& b) {
-    const cda::Vec3 along = b - a;
+double distance_from_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const Vec3 along = b - a;
     const double length = dot(along, along);
     const double t = length > 0.0 ? std::clamp(dot(p - a, along) / length, 0.0, 1.0) : 0.0;
     return norm(p - (a + t * along));
@@ -96,7 +96,7 @@ void PlayRecorder::begin_move(const gcode::Motion& motion) {
 void PlayRecorder::add_step(const toolpath::Step& step) {
     const auto add = [this](const toolpath::Pose& pose) {
         data_.points.push_back(pose.translation);
-        data_.axes.push_back(toolpath::Pose{pose.rows, {}} * cda::Vec3{0, 0, 1});
+        data_.axes.push_back(toolpath::Pose{pose.rows, {}} * Vec3{0, 0, 1});
     };
     if (!has_steps_) {
         const bool continues =
@@ -113,8 +113,8 @@ void PlayRecorder::simplify_move() {
     auto& points = data_.points;
     auto& axes = data_.axes;
     std::size_t kept = first_point_;  // last point that stays
-    const std::vector<cda::Vec3> p(points.begin() + first_point_, points.end());
-    const std::vector<cda::Vec3> a(axes.begin() + first_point_, axes.end());
+    const std::vector<Vec3> p(points.begin() + first_point_, points.end());
+    const std::vector<Vec3> a(axes.begin() + first_point_, axes.end());
     std::size_t begin = 0;
     const auto fits = [&](std::size_t end) {
         if (norm(a[end] - a[begin]) > kAxisTolerance) return false;

@@ -3,11 +3,11 @@
 // Counts moves along inclined tools.
 #include "ncsim/simulation/plunges.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/machine/presets.h"
 #include "ncsim/toolpath/kinematics.h"
 #include "ncsim/toolpath/trace.h"
-#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <array>
@@ -22,8 +22,6 @@
 namespace ncsim::simulation {
 
 namespace {
-
-using cda::Vec3;
 
 /// A possible machine.
 struct Candidate {
@@ -57,7 +55,7 @@ std::vector<Candidate> candidates_of(const Plan& plan) {
 }
 
 bool is_along(Vec3 way, Vec3 direction) {
-    return norm(cross(way, direction)) <= trig::sin_cos(kPlungeDegrees).sin * norm(way);
+    return norm(cross(way, direction)) <= sin_cos(kPlungeDegrees).sin * norm(way);
 }
 
 // Counts plunges for all candidates.

@@ -319,7 +319,7 @@ struct PreparedCheck {
     std::vector<std::string> not_used;  // specified values that are not used
 
     bool is_simulated() const { return survey.is_ready() && needs_simulation(setup); }
-    cda::Box stock() const { return survey.is_ready() ? survey.stock->box : cda::Box{}; }
+    Box stock() const { return survey.is_ready() ? survey.stock->box : Box{}; }
     cda::Lattice lattice() const {
         return survey.is_ready() ? toolpath::stock_lattice(*survey.stock) : cda::Lattice{};
     }

@@ -19,7 +19,7 @@ namespace {
 using verify::Certainty;
 
 // Returns the part of the stock in `box` (mm).
-toolpath::Stock crop_stock(const toolpath::Stock& stock, const cda::Box& box, double tolerance_mm) {
+toolpath::Stock crop_stock(const toolpath::Stock& stock, const Box& box, double tolerance_mm) {
     auto shape = std::make_shared<cda::Shape>(toolpath::stock_shape(stock, tolerance_mm));
     const cda::Lattice& lattice = shape->lattice;
     const cda::Cell sides = cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
@@ -47,7 +47,7 @@ Refiner::Refiner(const Plan& plan, const Survey& survey, const verify::Setup& se
 
 std::optional<Certainty> Refiner::decide(const verify::OpenContact& contact) {
     bool is_open = false;
-    for (const cda::Box& box : contact.boxes) {
+    for (const Box& box : contact.boxes) {
         std::optional<Certainty> seen = Certainty::Within;
         for (const double factor : {16.0, 256.0}) {
             if (seen != Certainty::Within) break;
@@ -60,8 +60,8 @@ std::optional<Certainty> Refiner::decide(const verify::OpenContact& contact) {
     return is_open ? std::optional(Certainty::Within) : std::nullopt;
 }
 
-std::optional<Certainty> Refiner::refine_once(const verify::OpenContact& contact,
-                                              const cda::Box& box, double factor) {
+std::optional<Certainty> Refiner::refine_once(const verify::OpenContact& contact, const Box& box,
+                                              double factor) {
     const auto finer = [factor](double mm) {
         constexpr double kFinest = 1e-5;
         return std::max(mm / factor, kFinest);

@@ -31,8 +31,8 @@ private:
     static constexpr std::uint64_t kStepsPerMove = 64;
     static constexpr std::uint64_t kLeastSteps = 20'000;
 
-    std::optional<verify::Certainty> refine_once(const verify::OpenContact& contact,
-                                                 const cda::Box& box, double factor);
+    std::optional<verify::Certainty> refine_once(const verify::OpenContact& contact, const Box& box,
+                                                 double factor);
 
     const Plan* plan_;
     const Survey* survey_;

@@ -77,7 +77,7 @@ ShownPart shown(const SurveyedPlan& side, const Simulation& simulation) {
 // Draws pictures of both parts and of their difference.
 class Painter {
 public:
-    Painter(const cda::Box& stock, const ShownPart& a, const ShownPart& b,
+    Painter(const Box& stock, const ShownPart& a, const ShownPart& b,
             const cda::WorkpieceModel* common)
         : stock_(stock), a_(a), b_(b), a_shading_(shading(a)), b_shading_(shading(b)) {
         if (common) common_ = common->boundary();
@@ -95,10 +95,9 @@ public:
         if (!differs) return picture;
         picture.difference = difference_png(camera);
         for (std::size_t i = 0; i < all.size(); ++i) {
-            const cda::Vec3 offset = all[i].point - camera.target;
-            picture.pins.push_back(
-                {i, 0.5 + cda::dot(offset, camera.right) / (kAspect * camera.height),
-                 0.5 - cda::dot(offset, camera.up) / camera.height});
+            const Vec3 offset = all[i].point - camera.target;
+            picture.pins.push_back({i, 0.5 + dot(offset, camera.right) / (kAspect * camera.height),
+                                    0.5 - dot(offset, camera.up) / camera.height});
         }
         return picture;
     }
@@ -135,7 +134,7 @@ private:
     std::string difference_png(const exporter::Camera& camera) const {
         constexpr double kNearer = 1.0 / (1 << 18);  // of the depth of the picture
         cda::Boundary common = *common_;
-        for (cda::Vec3& p : common.vertices)
+        for (Vec3& p : common.vertices)
             p = p + (kNearer * camera.depth) * camera.back;
         exporter::Overlay overlay;
         overlay.bodies.push_back({a_.boundary, kOnlyOld});
@@ -143,7 +142,7 @@ private:
         return png_of(exporter::render_boundary(common, {}, options(camera), overlay));
     }
 
-    cda::Box stock_;
+    Box stock_;
     const ShownPart &a_, &b_;
     brep::Shading a_shading_, b_shading_;
     std::optional<cda::Boundary> common_;

@@ -236,7 +236,7 @@ public:
 private:
     // Adds the stock and the motions of earlier runs.
     void begin_provenance(const StockHistory* history) {
-        exporter::Provenance& provenance = result_.provenance;
+        mesh::Provenance& provenance = result_.provenance;
         provenance.entries.push_back({});
         if (history) {
             provenance.entries = history->entries;
@@ -391,7 +391,7 @@ private:
     verify::Verifier* verifier_;
     std::optional<std::uint32_t> most_cuts_;
     std::optional<std::uint64_t> only_motion_;
-    std::optional<cda::Vec3> nearest_to_;
+    std::optional<Vec3> nearest_to_;
     bool last_removes_nothing_;
     std::uint64_t approached_ = 0;  // motion to which nearest_mm_ belongs
     double nearest_mm_ = 0.0;
@@ -413,7 +413,7 @@ private:
     std::uint32_t line_ = 0;  // line of the current motion
     int tool_ = 0;
     bool tool_volumes_;
-    std::optional<cda::Box> place_of_tile_;
+    std::optional<Box> place_of_tile_;
     double volume_;               // at the last tool change
     bool is_near_stock_ = false;  // whether the tool was near the stock since its change
     OperationCourse course_;

@@ -3,7 +3,7 @@
 // Recognition of solids, with further cuts.
 #include "ncsim/simulation/solid.h"
 
-#include "ncsim/export/simplify.h"
+#include "ncsim/mesh/simplify.h"
 #include "ncsim/simulation/models.h"
 
 #include "sources.h"
@@ -22,11 +22,11 @@ brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulati
                           double tolerance_mm, std::uint64_t most_work) {
     // Facets in one plane need not be on a common surface: the bottoms of all grooves of a ball end
     // mill are in one plane. So facets of different motions stay separate, as with different lines.
-    exporter::Provenance apart;
+    mesh::Provenance apart;
     for (std::uint32_t i = 0; i < simulation.provenance.entries.size(); ++i)
         apart.entries.push_back({i, 0});
-    const auto facets = [&](double tolerance, const exporter::Provenance* lines) {
-        exporter::Simplified flat = exporter::simplify(*simulation.boundary, tolerance, lines);
+    const auto facets = [&](double tolerance, const mesh::Provenance* lines) {
+        mesh::Simplified flat = mesh::simplify(*simulation.boundary, tolerance, lines);
         return brep::Facets{std::move(flat.boundary), std::move(flat.origins)};
     };
     std::map<cda::Origin, brep::SweptSurfaces> sources;

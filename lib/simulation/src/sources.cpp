@@ -48,11 +48,10 @@ private:
     // True if the line continues the row, to the accuracy of the lattice.
     bool is_ahead(const gcode::Linear& line) const {
         constexpr double kLattice = 2e-5;  // mm
-        const cda::Vec3 from = toolpath::linear_axes(line.from);
-        const cda::Vec3 way = from - toolpath::linear_axes(*start_);
-        const cda::Vec3 on = toolpath::linear_axes(line.to) - from;
-        return cda::dot(way, on) > 0.0 &&
-               cda::norm(cda::cross(way, on)) <= kLattice * (cda::norm(way) + cda::norm(on));
+        const Vec3 from = toolpath::linear_axes(line.from);
+        const Vec3 way = from - toolpath::linear_axes(*start_);
+        const Vec3 on = toolpath::linear_axes(line.to) - from;
+        return dot(way, on) > 0.0 && norm(cross(way, on)) <= kLattice * (norm(way) + norm(on));
     }
 
     std::optional<gcode::Position> start_;  // start of the row

@@ -77,7 +77,7 @@ private:
 
     void add(const cda::ShapeSource& source) {
         std::string_view text = source.text;
-        exporter::Provenance::Entry entry;
+        mesh::Provenance::Entry entry;
         brep::SweptSurfaces surfaces;
         const bool is_read = read_number(text, entry.nc_line) && read_number(text, entry.tool) &&
                              read_number(text, surfaces.error_mm) && surfaces.error_mm >= 0.0 &&
@@ -135,8 +135,7 @@ std::shared_ptr<const StockHistory> read_stock_history(const toolpath::Stock& st
     return std::make_shared<const StockHistory>(std::move(history));
 }
 
-cda::ShapeSource record_of(const exporter::Provenance& provenance,
-                           const exporter::Provenance::Entry& entry,
+cda::ShapeSource record_of(const mesh::Provenance& provenance, const mesh::Provenance::Entry& entry,
                            const brep::SweptSurfaces& source) {
     const bool is_earlier = entry.earlier_program != 0;
     cda::ShapeSource record;

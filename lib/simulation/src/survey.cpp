@@ -55,14 +55,14 @@ public:
         gcode::SourceSpan first;
         gcode::SourceSpan first_cut;     // line 0 if the tool does not cut
         bool cuts_after_change = false;  // whether it cuts after a tool change
-        cda::Box cutting_tips;           // ends of feed moves, mm
+        Box cutting_tips;                // ends of feed moves, mm
         double highest_tip = -std::numeric_limits<double>::infinity();
         toolpath::HighestLevels levels;
-        cda::Vec3 farthest_tip;  // distance from the axes X, Y and Z
-        cda::Vec3 travelled;     // along X, Y and Z at feed, back and forth
+        Vec3 farthest_tip;  // distance from the axes X, Y and Z
+        Vec3 travelled;     // along X, Y and Z at feed, back and forth
         // The same tips without lead-ins that begin in the air, and without their lead-outs.
-        cda::Box inner_tips;
-        std::vector<cda::Vec3> air;  // ends of rapid moves down to such lead-ins
+        Box inner_tips;
+        std::vector<Vec3> air;  // ends of rapid moves down to such lead-ins
         setup::ToolClues clues;
     };
 
@@ -122,7 +122,7 @@ public:
         const toolpath::Samples samples = verify::coarse_samples(motion, specified_machine_);
         if (feed) count_pieces(motion, *from, *to, is_turned, samples.poses.size() - 1);
         for (std::size_t i = 0; i < samples.poses.size(); ++i) {
-            const cda::Vec3 p = samples.poses[i].translation;
+            const Vec3 p = samples.poses[i].translation;
             result_.tip_positions.add(p);
             if (!feed) continue;
             track.cutting_tips.add(p);
@@ -132,10 +132,10 @@ public:
             for (int axis = 0; axis < 3; ++axis)
                 track.travelled[axis] += std::abs((p - samples.poses[i - 1].translation)[axis]);
             track.highest_tip = std::max(track.highest_tip, p.z);
-            const cda::Vec3 before = samples.poses[i - 1].translation;
+            const Vec3 before = samples.poses[i - 1].translation;
             if (p.z == before.z && p != before) track.levels.add(p.z);
             for (int axis = 0; axis < 3; ++axis) {
-                cda::Vec3 out = p;
+                Vec3 out = p;
                 out[axis] = 0.0;
                 track.farthest_tip[axis] = std::max(track.farthest_tip[axis], norm(out));
             }
@@ -158,11 +158,11 @@ private:
     // Feed moves from one rapid move to the next.
     struct FeedPath {
         ToolTrack* track = nullptr;
-        std::optional<cda::Vec3> plunge_end;  // at rapid, to here
-        bool begins_in_air = false;           // the move at hand is the first one, level
-        std::optional<cda::Vec3> air_start;   // of the first move, if that was so
+        std::optional<Vec3> plunge_end;  // at rapid, to here
+        bool begins_in_air = false;      // the move at hand is the first one, level
+        std::optional<Vec3> air_start;   // of the first move, if that was so
         int moves = 0;
-        cda::Box last_move;  // tips, without the first
+        Box last_move;  // tips, without the first
     };
 
     void end_path(ToolTrack& track) {
@@ -175,8 +175,8 @@ private:
 
     void note_path(const gcode::Motion& motion, const gcode::Position& from,
                    const gcode::Position& to, bool is_turned, ToolTrack& track) {
-        const cda::Vec3 start{from.x.mm(), from.y.mm(), from.z.mm()};
-        const cda::Vec3 end{to.x.mm(), to.y.mm(), to.z.mm()};
+        const Vec3 start{from.x.mm(), from.y.mm(), from.z.mm()};
+        const Vec3 end{to.x.mm(), to.y.mm(), to.z.mm()};
         if (path_.track && (path_.track != &track || motion.kind != gcode::MoveKind::Feed))
             end_path(*path_.track);
         if (motion.kind != gcode::MoveKind::Feed) {
@@ -215,9 +215,9 @@ private:
         if (motion.kind != gcode::MoveKind::Rapid || is_turned) return;
         const int axes = int{from.x != to.x} + int{from.y != to.y} + int{from.z != to.z};
         if (axes < 2 || result_.slanting_rapids.size() == kMost) return;
-        cda::Box box;
+        Box box;
         for (const gcode::Position* p : {&from, &to})
-            box.add(cda::Vec3{p->x.mm(), p->y.mm(), p->z.mm()});
+            box.add(Vec3{p->x.mm(), p->y.mm(), p->z.mm()});
         result_.slanting_rapids.push_back({box, motion.file, motion.span});
     }
 
@@ -345,7 +345,7 @@ void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result)
     }
 }
 
-toolpath::DerivedStock derive_stock(const Survey& survey, const cda::Box& swept,
+toolpath::DerivedStock derive_stock(const Survey& survey, const Box& swept,
                                     const MotionSurvey::ToolTrack& all) {
     const auto& turns = survey.turns;
     if (survey.is_flat()) return toolpath::derive_sheet(all.cutting_tips);
@@ -359,7 +359,7 @@ toolpath::DerivedStock derive_stock(const Survey& survey, const cda::Box& swept,
 
 // Shortens the box of a face mill. Face mills enter from outside the block and leave it completely:
 // along the path, the box is a diameter longer than the block at both ends.
-void leave_out_runs(cda::Box& covered, int along, double diameter) {
+void leave_out_runs(Box& covered, int along, double diameter) {
     if (covered.size()[along] <= 3 * diameter) return;
     covered.min[along] += diameter;
     covered.max[along] -= diameter;
@@ -367,13 +367,13 @@ void leave_out_runs(cda::Box& covered, int along, double diameter) {
 
 // Disc of radius `r` about `p` without stock, because a tool goes down there at rapid.
 struct AirDisc {
-    cda::Vec3 p;
+    Vec3 p;
     double r = 0.0;
 };
 
 // Moves the sides of `box` inwards to the nearest side of each disc, unless this cuts off more than
 // `r` of the milled tips `milled`. Returns true if a side moved.
-bool leave_out_air(cda::Box& box, const std::vector<AirDisc>& discs, const cda::Box& milled) {
+bool leave_out_air(Box& box, const std::vector<AirDisc>& discs, const Box& milled) {
     bool has_moved = false;
     for (const AirDisc& disc : discs) {
         if (disc.p.z >= box.max.z) continue;
@@ -416,9 +416,9 @@ double common(double a, double b, double min, double max) {
 
 // Places a block of known size: a corner or the centre is at zero, whichever includes most of the
 // cuts. The top is at zero, unless all cuts are above zero.
-void place_at_zero(cda::Box& box, const cda::Box& tips) {
+void place_at_zero(Box& box, const Box& tips) {
     if (tips.is_empty()) return;
-    const cda::Vec3 size = box.size();
+    const Vec3 size = box.size();
     for (int axis = 0; axis < 2; ++axis) {
         double best = -std::numeric_limits<double>::infinity();
         double at = box.min[axis];
@@ -436,14 +436,14 @@ void place_at_zero(cda::Box& box, const cda::Box& tips) {
 void choose_stock(const Plan& plan, const MotionSurvey& motions, Survey& result) {
     result.stock = plan.job.stock;
     if (result.stock) {
-        cda::Box tips;
+        Box tips;
         for (const auto& [number, track] : motions.tracks()) {
             if (!track.cutting_tips.is_empty()) tips.add(track.cutting_tips);
         }
         if (result.stock->place_assumed) place_at_zero(result.stock->box, tips);
         return;
     }
-    cda::Box swept, inner, milled;
+    Box swept, inner, milled;
     std::vector<AirDisc> discs;
     MotionSurvey::ToolTrack all;
     for (const auto& entry : motions.tracks()) {
@@ -452,7 +452,7 @@ void choose_stock(const Plan& plan, const MotionSurvey& motions, Survey& result)
         if (used == result.tools.end() || track.cutting_tips.is_empty()) continue;
         const double r = toolpath::cutting_diameter_of(used->second.tool) / 2;
         const double height = toolpath::cutting_height_of(used->second.tool);
-        const auto covered_by = [&](cda::Box covered) {
+        const auto covered_by = [&](Box covered) {
             for (int axis = 0; axis < 2; ++axis) {
                 covered.min[axis] -= r;
                 covered.max[axis] += r;
@@ -467,7 +467,7 @@ void choose_stock(const Plan& plan, const MotionSurvey& motions, Survey& result)
             inner.add(covered_by(track.inner_tips));
             milled.add(track.inner_tips);
         }
-        for (const cda::Vec3& p : track.air)
+        for (const Vec3& p : track.air)
             discs.push_back({p, r});
         all.cutting_tips.add(track.cutting_tips);
         all.highest_tip = std::max(all.highest_tip, track.highest_tip);
@@ -481,9 +481,9 @@ void choose_stock(const Plan& plan, const MotionSurvey& motions, Survey& result)
         inner.min.z = swept.min.z;
         inner.max.z = swept.max.z;
         toolpath::DerivedStock smaller = derive_stock(result, inner, all);
-        cda::Box& box = smaller.stock.box;
+        Box& box = smaller.stock.box;
         const bool has_moved = leave_out_air(box, discs, milled);
-        const cda::Vec3 size = box.size(), old = derived.stock.box.size();
+        const Vec3 size = box.size(), old = derived.stock.box.size();
         constexpr double kLeast = 0.5;  // of the larger block; less would be no lead-in
         const bool is_likely = size.x >= kLeast * old.x && size.y >= kLeast * old.y;
         const bool differs = has_moved || !(box == derived.stock.box);
@@ -497,10 +497,10 @@ void choose_stock(const Plan& plan, const MotionSurvey& motions, Survey& result)
 }
 
 // Returns a block around all positions of the tip; the margin gives points and lines a volume.
-cda::Box box_around_tips(const cda::Box& tips) {
-    const cda::Vec3 around{1, 1, 1};  // mm
-    cda::Box box = tips;
-    if (box.is_empty()) box.add(cda::Vec3{0, 0, 0});
+Box box_around_tips(const Box& tips) {
+    const Vec3 around{1, 1, 1};  // mm
+    Box box = tips;
+    if (box.is_empty()) box.add(Vec3{0, 0, 0});
     for (int axis = 0; axis < 3; ++axis) {
         box.min[axis] = std::clamp(box.min[axis], -kLargestStock, kLargestStock);
         box.max[axis] = std::clamp(box.max[axis], -kLargestStock, kLargestStock);
@@ -509,7 +509,7 @@ cda::Box box_around_tips(const cda::Box& tips) {
 }
 
 // Sets an empty stock; `box` is the visible block.
-void set_no_stock(Survey& result, const cda::Box& box) {
+void set_no_stock(Survey& result, const Box& box) {
     toolpath::Stock nothing{box};
     const cda::Lattice lattice = cda::Lattice::for_stock(box);
     const cda::Cell all = cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
@@ -607,7 +607,7 @@ BlockEstimate estimate_block(const Plan& plan, const std::array<bool, 3>& unspec
         result.ready = false;
         return look;
     }
-    const cda::Box& box = result.stock->box;
+    const Box& box = result.stock->box;
     for (int axis = 0; axis < 3; ++axis) {
         if (std::max(std::abs(box.min[axis]), std::abs(box.max[axis])) > kLargestStock) {
             add_diagnostic(
@@ -656,8 +656,8 @@ std::string reason_not_simulated(const Survey& survey) {
 void set_empty_stock(Survey& survey) {
     const auto is_it = [](const gcode::Diagnostic& d) { return d.code == "no-motion"; };
     std::erase_if(survey.diagnostics, is_it);
-    cda::Box box;
-    box.add(cda::Vec3{0, 0, 0}), box.add(cda::Vec3{1, 1, 1});
+    Box box;
+    box.add(Vec3{0, 0, 0}), box.add(Vec3{1, 1, 1});
     set_no_stock(survey, box);
     survey.ready = true;
 }

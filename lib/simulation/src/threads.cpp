@@ -3,8 +3,8 @@
 // Strokes of taps and helices of thread mills, as the interpreter sends them.
 #include "threads.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/toolpath/tool.h"
-#include "ncsim/trig/angles.h"
 
 #include "motions.h"
 
@@ -18,8 +18,6 @@
 namespace ncsim::simulation {
 
 namespace {
-
-using cda::Vec3;
 
 // Two lengths of a program are equal, mm: the rounding of three decimals.
 constexpr double kSame = 2e-3;
@@ -35,7 +33,7 @@ bool is_upright(const gcode::Position& p) {
 // Returns the angle of the arc about its centre, in turns.
 double turns_of(const gcode::Arc& arc) {
     const auto angle = [&](const gcode::Position& p) {
-        return trig::angle_of(p.x.mm() - arc.centre_1.mm(), p.y.mm() - arc.centre_2.mm());
+        return angle_of(p.x.mm() - arc.centre_1.mm(), p.y.mm() - arc.centre_2.mm());
     };
     constexpr double kFullTurn = 360.0, kLeast = 1e-6;
     const double ahead =
@@ -90,7 +88,7 @@ private:
     void add_helix(const gcode::Motion& motion, const gcode::Arc& arc) {
         const double x = arc.centre_1.mm(), y = arc.centre_2.mm();
         const auto radius_at = [&](const gcode::Position& p) {
-            return cda::norm(Vec3{p.x.mm() - x, p.y.mm() - y, 0.0});
+            return norm(Vec3{p.x.mm() - x, p.y.mm() - y, 0.0});
         };
         const double radius = radius_at(arc.to);
         if (!is_same(radius, radius_at(arc.from))) return;

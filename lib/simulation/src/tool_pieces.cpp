@@ -5,7 +5,7 @@
 
 #include "ncsim/cda/flat.h"
 #include "ncsim/cda/hull.h"
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/toolpath/tool_polytope.h"
 
 #include <utility>

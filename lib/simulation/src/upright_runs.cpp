@@ -14,7 +14,6 @@ namespace ncsim::simulation {
 
 namespace {
 
-using cda::Vec3;
 using gcode::Linear;
 using gcode::Motion;
 
@@ -32,7 +31,7 @@ const Linear* sloped(const Motion& motion) {
     if (motion.kind != gcode::MoveKind::Feed || !gcode::start_of(motion)) return nullptr;
     const Linear* line = toolpath::straight_upright(motion);
     if (!line || height(line->from) == height(line->to)) return nullptr;
-    return cda::norm(place(line->to) - place(line->from)) > 0.0 ? line : nullptr;
+    return norm(place(line->to) - place(line->from)) > 0.0 ? line : nullptr;
 }
 
 const Linear& line_of(const Motion& motion) {
@@ -42,12 +41,12 @@ const Linear& line_of(const Motion& motion) {
 // The vertical plane through two positions.
 struct Plane {
     Plane(Vec3 start, Vec3 end)
-        : from(start), along(cda::normalized(end - start)), length(cda::norm(end - start)) {}
+        : from(start), along(normalized(end - start)), length(norm(end - start)) {}
 
     Vec3 from, along;
     double length;
 
-    double distance_along(Vec3 p) const { return cda::dot(p - from, along); }
+    double distance_along(Vec3 p) const { return dot(p - from, along); }
     Vec3 offset_from_line(Vec3 p) const { return p - from - distance_along(p) * along; }
 };
 
@@ -67,7 +66,7 @@ bool UprightRuns::goes_on(const Motion& next) const {
         const double ahead = plane.distance_along(p);
         const bool is_next = ahead > before && ahead < plane.length;
         before = ahead;
-        return is_next && cda::norm(plane.offset_from_line(p)) <= kRoundedMm;
+        return is_next && norm(plane.offset_from_line(p)) <= kRoundedMm;
     });
 }
 
@@ -84,7 +83,7 @@ void UprightRuns::flush() {
     for (std::size_t i = 0; i + 1 < run_.size(); ++i) {
         gcode::Position& end = std::get<Linear>(run_[i].action).to;
         const Vec3 off = plane.offset_from_line(place(end));
-        moved_mm = std::max(moved_mm, cda::norm(off));
+        moved_mm = std::max(moved_mm, norm(off));
         end.x = gcode::Length::from_mm(end.x.mm() - off.x);
         end.y = gcode::Length::from_mm(end.y.mm() - off.y);
         std::get<Linear>(run_[i + 1].action).from = end;

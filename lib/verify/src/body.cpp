@@ -8,9 +8,7 @@
 
 namespace ncsim::verify {
 
-using cda::Box;
 using cda::Cell;
-using cda::Vec3;
 using toolpath::Pose;
 using toolpath::Side;
 using toolpath::Step;

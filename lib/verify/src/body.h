@@ -17,8 +17,8 @@ namespace ncsim::verify {
 struct PartContact {
     bool is_there = false;  ///< False: at most a touch.
     Certainty certainty = Certainty::Within;
-    std::optional<cda::Vec3> point;  ///< Common point.
-    cda::Box box;                    ///< Encloses the intersection.
+    std::optional<Vec3> point;  ///< Common point.
+    Box box;                    ///< Encloses the intersection.
 };
 
 /// Returns the pose moved by `distance` mm along the tool axis, towards the spindle.
@@ -33,18 +33,18 @@ bool is_prism(const toolpath::ToolPiece& piece);
 /// X, Y or Z: their cells are exact, so a touch has exactly no common volume.
 double rounding_of(const toolpath::Step& step, bool prism, const cda::Lattice& lattice);
 /// Returns the part of `cell` in `box` (mm), rounded to the lattice.
-cda::Cell clipped(const cda::Cell& cell, const cda::Box& box, const cda::Lattice& lattice);
+cda::Cell clipped(const cda::Cell& cell, const Box& box, const cda::Lattice& lattice);
 /// Adds boxes (mm) that contain the intersection of the cell and the part to `places`. The boxes
 /// are about 1 mm long, or longer if more than a few would be needed.
-void find_places(const cda::Cell& cell, const cda::WorkpieceModel& part, const cda::Box& stock,
-                 std::vector<cda::Box>& places);
+void find_places(const cda::Cell& cell, const cda::WorkpieceModel& part, const Box& stock,
+                 std::vector<Box>& places);
 /// True if the tool is not rotated during the whole step: its axis is Z.
 bool is_upright(const toolpath::Step& step);
 /// True if the tool keeps its direction and moves towards the spindle. Only then a shank can meet
 /// material that the cutter removes later in the same motion; otherwise the cutter comes first.
 bool ascends(const toolpath::Step& step);
 /// Returns the intersection of both boxes; may be empty.
-cda::Box intersection(const cda::Box& a, const cda::Box& b);
+Box intersection(const Box& a, const Box& b);
 
 /// Returns the largest distance (mm) by which the cells of a cutter in this step, `raise` mm
 /// higher, exceed the true sweep, at places that matter.
@@ -63,14 +63,14 @@ public:
     /// Intersects the sweep of the body, `raise` mm higher on the tool, with `part`, which lies in
     /// `stock`. Certain if the inscribed polytope, minus the excess of sampling, meets the part.
     PartContact find_contact(const toolpath::Step& step, double raise,
-                             const cda::WorkpieceModel& part, const cda::Box& stock);
+                             const cda::WorkpieceModel& part, const Box& stock);
     /// True if the contact is certain. Cheaper than meet().
     bool meets_certainly(const toolpath::Step& step, double raise, const cda::WorkpieceModel& part,
-                         const cda::Box& stock);
+                         const Box& stock);
 
     /// Returns the cells of the sweep, circumscribed or inscribed.
     std::vector<cda::Cell> cells(const toolpath::Step& step, double raise, toolpath::Side side);
-    cda::Box bounds(const toolpath::Step& step, double raise) const;
+    Box bounds(const toolpath::Step& step, double raise) const;
     /// Returns gain_of() of the inscribed cutter: the distance (mm) by which its cells exceed the
     /// sweep of the body, at places that matter.
     double gained(const toolpath::Step& step, double raise) const;
@@ -89,6 +89,6 @@ inline constexpr double kRaiseStep = 0.01;
 /// ends only once.
 /// Requires: `body` meets material at `known`.
 double needed_raise(Body& body, const toolpath::Step& step, double known, double limit,
-                    double raise_step, const cda::WorkpieceModel& part, const cda::Box& stock);
+                    double raise_step, const cda::WorkpieceModel& part, const Box& stock);
 
 }  // namespace ncsim::verify

@@ -11,7 +11,7 @@
 //     under the face.
 #include "common_volume.h"
 
-#include "ncsim/cda/triangle_tree.h"
+#include "ncsim/base/triangle_tree.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -21,11 +21,6 @@
 #include <vector>
 
 namespace ncsim::verify {
-
-using cda::Box;
-using cda::Corners;
-using cda::TriangleTree;
-using cda::Vec3;
 
 namespace {
 
@@ -42,7 +37,7 @@ int side(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
 
 // Returns +1 if the segment from `p` to `q` leaves through the front of the triangle (along the
 // normal), -1 if it enters there, 0 if it does not cross.
-int passes(Vec3 p, Vec3 q, const Corners& t) {
+int passes(Vec3 p, Vec3 q, const TriangleCorners& t) {
     const int before = side(t[0], t[1], t[2], p);
     if (before == side(t[0], t[1], t[2], q)) return 0;
     const int first = side(p, q, t[0], t[1]);
@@ -51,11 +46,11 @@ int passes(Vec3 p, Vec3 q, const Corners& t) {
     return before < 0 ? 1 : -1;
 }
 
-double height(Vec3 p, const Corners& t) {
+double height(Vec3 p, const TriangleCorners& t) {
     return dot(p - t[0], cross(t[1] - t[0], t[2] - t[0]));
 }
 
-bool is_flat(const Corners& t) {
+bool is_flat(const TriangleCorners& t) {
     const auto point = [](Vec3 v) { return Kernel::Point_3(v.x, v.y, v.z); };
     return CGAL::collinear(point(t[0]), point(t[1]), point(t[2]));
 }
@@ -63,7 +58,7 @@ bool is_flat(const Corners& t) {
 // Surface with its crossings with the opposite surface.
 class Surface {
 public:
-    Surface(const cda::TriangleMesh& mesh, Vec3 shift) : mesh_(mesh) {
+    Surface(const TriangleMesh& mesh, Vec3 shift) : mesh_(mesh) {
         for (Vec3& v : mesh_.vertices)
             v = v + shift;
         tree_.emplace(mesh_);
@@ -76,12 +71,12 @@ public:
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(faces_.size()); }
     bool is_flat_at(std::uint32_t t) const { return faces_[t].flat; }
-    Corners corners(std::uint32_t t) const { return corners_of(mesh_, t); }
+    TriangleCorners corners(std::uint32_t t) const { return corners_of(mesh_, t); }
     const TriangleTree& tree() const { return *tree_; }
 
     // Appends the crossings of the edges of face `t` with a triangle of the opposite surface to
     // `ends`.
-    void cross_edges(std::uint32_t t, const Corners& other, std::vector<Vec3>& ends) {
+    void cross_edges(std::uint32_t t, const TriangleCorners& other, std::vector<Vec3>& ends) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto [from, to] = edge(t, k);
             const Vec3 a = mesh_.vertices[from], b = mesh_.vertices[to];
@@ -141,7 +136,7 @@ public:
         for (std::uint32_t t = 0; t < size(); ++t) {
             const Face& face = faces_[t];
             if (face.flat) continue;
-            const Corners c = corners(t);
+            const TriangleCorners c = corners(t);
             const Vec3 normal = normalized(cross(c[1] - c[0], c[2] - c[0]));
             Vec3 outline = face.outline;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -191,7 +186,7 @@ private:
         return in;
     }
 
-    cda::TriangleMesh mesh_;
+    TriangleMesh mesh_;
     std::optional<TriangleTree> tree_;
     std::vector<Face> faces_;
     std::vector<bool> inside_;
@@ -200,7 +195,7 @@ private:
 // Step 1 for one pair.
 void find_contact(Surface& a, std::uint32_t t, Surface& b, std::uint32_t s,
                   std::vector<Vec3>& ends) {
-    const Corners in_a = a.corners(t), in_b = b.corners(s);
+    const TriangleCorners in_a = a.corners(t), in_b = b.corners(s);
     ends.clear();
     a.cross_edges(t, in_b, ends);
     b.cross_edges(s, in_a, ends);
@@ -213,8 +208,8 @@ void find_contact(Surface& a, std::uint32_t t, Surface& b, std::uint32_t s,
     b.add_segment(s, ends[1], ends[0]);
 }
 
-double volume_in_common(const cda::TriangleMesh& mesh_a, const cda::TriangleMesh& mesh_b,
-                        Vec3 centre, Vec3 shift) {
+double volume_in_common(const TriangleMesh& mesh_a, const TriangleMesh& mesh_b, Vec3 centre,
+                        Vec3 shift) {
     Surface a(mesh_a, -centre), b(mesh_b, shift - centre);
     std::vector<Vec3> ends;
     for (std::uint32_t t = 0; t < a.size(); ++t) {
@@ -234,7 +229,7 @@ double volume_in_common(const cda::TriangleMesh& mesh_a, const cda::TriangleMesh
 
 }  // namespace
 
-std::optional<double> common_volume(const cda::TriangleMesh& a, const cda::TriangleMesh& b) {
+std::optional<double> common_volume(const TriangleMesh& a, const TriangleMesh& b) {
     Box box;
     for (const Vec3& v : a.vertices)
         box.add(v);

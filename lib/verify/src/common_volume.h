@@ -3,7 +3,7 @@
 // Volume of the intersection of two closed surfaces.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 
 #include <optional>
 
@@ -20,6 +20,6 @@ namespace ncsim::verify {
 /// Requires: neither surface crosses itself.
 /// Cost: expected O(n log n + pairs of triangles whose boxes meet).
 /// Source: after Franklin, "Polygon properties calculated from the vertex neighborhoods", 1987.
-std::optional<double> common_volume(const cda::TriangleMesh& a, const cda::TriangleMesh& b);
+std::optional<double> common_volume(const TriangleMesh& a, const TriangleMesh& b);
 
 }  // namespace ncsim::verify

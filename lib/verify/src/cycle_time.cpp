@@ -20,7 +20,7 @@ double reachable(double speed, double acceleration, double length) {
 
 }  // namespace
 
-double acceleration_along(const MachineDescription& machine, cda::Vec3 direction) {
+double acceleration_along(const MachineDescription& machine, Vec3 direction) {
     double least = kNoLimit;
     for (int axis = 0; axis < 3; ++axis) {
         const double part = std::abs(direction[axis]);
@@ -32,7 +32,7 @@ double acceleration_along(const MachineDescription& machine, cda::Vec3 direction
     return least == kNoLimit ? 0.0 : least;
 }
 
-std::optional<double> rapid_speed_along(const MachineDescription& machine, cda::Vec3 direction) {
+std::optional<double> rapid_speed_along(const MachineDescription& machine, Vec3 direction) {
     double least = kNoLimit;
     for (int axis = 0; axis < 3; ++axis) {
         const double part = std::abs(direction[axis]);

@@ -19,7 +19,7 @@
 // of rotary axes alone take no time.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/verify/machine_description.h"
 
 #include <cstddef>
@@ -34,17 +34,17 @@ struct PlannedMove {
     double length_mm = 0.0;
     double speed = 0.0;         ///< mm/s: the feed, or the rapid rate along the path.
     double acceleration = 0.0;  ///< mm/s² along the path; 0: unlimited.
-    cda::Vec3 enters, leaves;   ///< Unit vectors at the two ends of the path.
+    Vec3 enters, leaves;        ///< Unit vectors at the two ends of the path.
     bool stops = false;         ///< Begins and ends at rest.
     std::size_t key = 0;        ///< Key of the caller.
 };
 
 /// Returns the acceleration (mm/s²) along `direction` (a unit vector); 0 if the limit of a moving
 /// axis is unspecified.
-double acceleration_along(const MachineDescription& machine, cda::Vec3 direction);
+double acceleration_along(const MachineDescription& machine, Vec3 direction);
 /// Returns the rapid rate (mm/s) along `direction`; empty if the rate of a moving axis is
 /// unspecified.
-std::optional<double> rapid_speed_along(const MachineDescription& machine, cda::Vec3 direction);
+std::optional<double> rapid_speed_along(const MachineDescription& machine, Vec3 direction);
 
 class MotionPlanner {
 public:

@@ -12,8 +12,9 @@
 // Findings are gathered in cubes; cubes that touch form a region.
 #include "ncsim/verify/design_comparison.h"
 
+#include "ncsim/base/triangle_tree.h"
 #include "ncsim/cda/check.h"
-#include "ncsim/cda/triangle_tree.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "common_volume.h"
 
@@ -29,11 +30,7 @@
 
 namespace ncsim::verify {
 
-using cda::Box;
-using cda::Corners;
 using cda::Origin;
-using cda::TriangleTree;
-using cda::Vec3;
 
 namespace {
 
@@ -72,7 +69,7 @@ void split(Polygon& inside, const Halfspace& h, Polygon& outside) {
 }
 
 // Returns the prism over the triangle from -`reach` to `reach`.
-std::array<Halfspace, 5> prism(const Corners& t, double reach) {
+std::array<Halfspace, 5> prism(const TriangleCorners& t, double reach) {
     const Vec3 n = normalized(cross(t[1] - t[0], t[2] - t[0]));
     std::array<Halfspace, 5> all;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -91,7 +88,7 @@ Vec3 middle_of(const Polygon& polygon) {
     return (1.0 / static_cast<double>(polygon.size())) * sum;
 }
 
-double farthest_corner(const Polygon& polygon, const Corners& triangle) {
+double farthest_corner(const Polygon& polygon, const TriangleCorners& triangle) {
     double worst = 0.0;
     for (const Vec3& p : polygon)
         worst = std::max(worst, distance(p, triangle));
@@ -203,7 +200,7 @@ class Search {
 public:
     /// Creates a search. `inside` and `outside` collect points inside and outside the opposite
     /// surface.
-    Search(const cda::TriangleMesh& surface, const TriangleTree& other, const Limits& limits,
+    Search(const TriangleMesh& surface, const TriangleTree& other, const Limits& limits,
            Places& inside, Places& outside)
         : surface_(surface), other_(other), limits_(limits), inside_(inside), outside_(outside) {}
 
@@ -214,7 +211,7 @@ public:
         for (const Vec3& v : surface_.vertices)
             deviation_ = std::max(deviation_, other_.nearest(v).distance_mm);
         for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
-            const Corners c = corners_of(surface_, t);
+            const TriangleCorners c = corners_of(surface_, t);
             const Vec3 middle = (1.0 / 3.0) * (c[0] + c[1] + c[2]);
             deviation_ = std::max(deviation_, other_.nearest(middle).distance_mm);
             examine({{c.begin(), c.end()}, t}, add);
@@ -269,7 +266,7 @@ private:
             [&](std::uint32_t t) { near_.push_back(t); });
         if (near_.size() > kManyTriangles) return;
         for (const std::uint32_t t : near_) {
-            const Corners triangle = corners_of(other_.mesh(), t);
+            const TriangleCorners triangle = corners_of(other_.mesh(), t);
             if (norm(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) == 0.0) continue;
             const auto walls = prism(triangle, limits_.tolerance);
             next_.clear();
@@ -347,7 +344,7 @@ private:
         }
     }
 
-    const cda::TriangleMesh& surface_;
+    const TriangleMesh& surface_;
     const TriangleTree& other_;
     Limits limits_;
     Places& inside_;
@@ -368,7 +365,7 @@ double missing_below(const TriangleTree& surface, Vec3 point, std::uint32_t tria
                      double least) {
     constexpr int kSteps = 20;
     constexpr double kNext = 0.75;
-    const Corners t = corners_of(surface.mesh(), triangle);
+    const TriangleCorners t = corners_of(surface.mesh(), triangle);
     const Vec3 area = cross(t[1] - t[0], t[2] - t[0]);
     if (norm(area) == 0.0) return 0.0;
     const Vec3 down = -normalized(area);
@@ -384,11 +381,11 @@ double missing_below(const TriangleTree& surface, Vec3 point, std::uint32_t tria
 
 }  // namespace
 
-DesignComparison compare(const cda::Boundary& part, const cda::TriangleMesh& design,
+DesignComparison compare(const cda::Boundary& part, const TriangleMesh& design,
                          double tolerance_mm) {
-    const cda::TriangleMesh made = cda::triangulate(part);
+    const TriangleMesh made = cda::triangulate(part);
     Box box;
-    for (const cda::TriangleMesh* mesh : {&made, &design}) {
+    for (const TriangleMesh* mesh : {&made, &design}) {
         for (const Vec3& v : mesh->vertices)
             box.add(v);
     }

@@ -3,7 +3,7 @@
 // Measures paths and times of tools.
 #include "ncsim/verify/distances.h"
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/toolpath/trace.h"
 
 #include <variant>
@@ -24,8 +24,8 @@ std::optional<double> seconds_of(const gcode::Motion& motion, double length) {
     if (length == 0.0) {
         const gcode::Position* from = start_of(motion);
         const gcode::Position* to = end_of(motion);
-        length = norm(cda::Vec3{to->a.degrees(), to->b.degrees(), to->c.degrees()} -
-                      cda::Vec3{from->a.degrees(), from->b.degrees(), from->c.degrees()});
+        length = norm(Vec3{to->a.degrees(), to->b.degrees(), to->c.degrees()} -
+                      Vec3{from->a.degrees(), from->b.degrees(), from->c.degrees()});
     }
     if (motion.feed_mode == gcode::FeedMode::PerMinute) return 60.0 * length / motion.feed;
     if (!(motion.spindle_rpm > 0.0)) return std::nullopt;

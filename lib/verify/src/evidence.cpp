@@ -17,9 +17,6 @@
 
 namespace ncsim::verify {
 
-using cda::Box;
-using cda::Vec3;
-
 namespace {
 
 enum Flag : std::uint32_t {

@@ -32,7 +32,7 @@ std::string text_of(const Quantity& quantity) {
                        quantity.unit.empty() ? "" : " ", quantity.unit);
 }
 
-std::optional<cda::Vec3> point_of(const Finding& finding) {
+std::optional<Vec3> point_of(const Finding& finding) {
     if (finding.point || finding.first_box.is_empty()) return finding.point;
     return finding.first_box.centre();
 }

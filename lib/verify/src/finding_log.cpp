@@ -3,7 +3,7 @@
 // Combines observations into findings, and doubts.
 #include "finding_log.h"
 
-#include "ncsim/cda/mix.h"
+#include "ncsim/base/mix.h"
 #include "ncsim/verify/rule.h"
 
 #include <algorithm>
@@ -30,9 +30,9 @@ std::uint64_t print_of(const Occurrence& s) {
         constexpr double kPerMm = 1000.0;
         // Larger values are clamped.
         const double rounded = std::round(std::clamp(value * kPerMm, -1e15, 1e15));
-        print = cda::mix(print, static_cast<std::uint64_t>(static_cast<std::int64_t>(rounded)));
+        print = mix(print, static_cast<std::uint64_t>(static_cast<std::int64_t>(rounded)));
     };
-    for (const cda::Vec3& corner : {s.box.min, s.box.max}) {
+    for (const Vec3& corner : {s.box.min, s.box.max}) {
         if (s.box.is_empty()) break;
         for (int axis = 0; axis < 3; ++axis)
             add(corner[axis]);
@@ -42,7 +42,7 @@ std::uint64_t print_of(const Occurrence& s) {
             add((*s.point)[axis]);
     }
     for (const char c : s.quantity ? text_of(*s.quantity) : std::string())
-        print = cda::mix(print, static_cast<std::uint8_t>(c));
+        print = mix(print, static_cast<std::uint8_t>(c));
     return print;
 }
 
@@ -133,7 +133,7 @@ void FindingLog::add(std::string_view rule, const Move& move, Occurrence s) {
         if (follows && row.tool == f.tool && row.place.file == f.place.file &&
             row.suppressed == f.suppressed && row.severity == f.severity) {
             merge(row, move, s);
-            row.row = cda::mix(row.row == 0 ? open->second.print : row.row, print_of(s)) | 1U;
+            row.row = mix(row.row == 0 ? open->second.print : row.row, print_of(s)) | 1U;
             return;
         }
     }

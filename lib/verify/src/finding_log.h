@@ -30,8 +30,8 @@ struct Occurrence {
     /// Reasons for doubt (ids) without which the fault would be certain. An error becomes a warning
     /// and each reason a doubt, except for reasons that the user accepted.
     std::vector<std::string_view> rests_on = {};
-    std::optional<cda::Vec3> point = std::nullopt;
-    cda::Box box = {};
+    std::optional<Vec3> point = std::nullopt;
+    Box box = {};
     std::vector<std::string> bodies = {};                  ///< As in Finding.
     std::optional<machine::Values> joints = std::nullopt;  ///< As in Finding.
     std::vector<std::string> assumptions = {};

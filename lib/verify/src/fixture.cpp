@@ -13,9 +13,7 @@
 
 namespace ncsim::verify {
 
-using cda::Box;
 using cda::Cell;
-using cda::Vec3;
 
 namespace {
 

@@ -3,8 +3,8 @@
 // Proves free distances between bodies.
 #include "free_space.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/cda/separation.h"
-#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,6 @@
 
 namespace ncsim::verify {
 
-using cda::Box;
-using cda::Vec3;
 using machine::Pose;
 using machine::Values;
 
@@ -125,7 +123,7 @@ JointValues reach_of(const machine::Chain& chain, const Values& at, const RigidB
         if (joint.turns) {
             const Vec3 out = centre - joint.through;
             const double aside = norm(out - dot(out, joint.direction) * joint.direction);
-            reach[letter] = trig::kRadiansPerDegree * (aside + body.radius() + apart);
+            reach[letter] = kRadiansPerDegree * (aside + body.radius() + apart);
         } else {
             reach[letter] = 1.0;
         }

@@ -73,11 +73,11 @@ void doubt_blend(const Setup& setup, const Move& move, FindingLog& log) {
     const auto tool = setup.tools.find(move.motion->tool);
     const double radius = tool == setup.tools.end() ? 0.0 : widest_radius(tool->second.tool);
     const double reach = setup.blend_mm + radius;
-    cda::Box near = move.path;
-    near.min = near.min - cda::Vec3{reach, reach, setup.blend_mm};
-    near.max = near.max + cda::Vec3{reach, reach, setup.blend_mm};
+    Box near = move.path;
+    near.min = near.min - Vec3{reach, reach, setup.blend_mm};
+    near.max = near.max + Vec3{reach, reach, setup.blend_mm};
     for (const Fixture& fixture : setup.machine.fixtures) {
-        const cda::Box box = fixture.place();
+        const Box box = fixture.place();
         const bool is_near = near.min.x < box.max.x && near.max.x > box.min.x &&
                              near.min.y < box.max.y && near.max.y > box.min.y &&
                              near.min.z < box.max.z;

@@ -9,9 +9,7 @@
 
 namespace ncsim::verify {
 
-using cda::Box;
 using cda::Cell;
-using cda::Vec3;
 using gcode::MoveKind;
 
 void LedgerBook::enter(const Move& move, bool later) {

@@ -19,7 +19,7 @@ class LedgerBook {
 public:
     /// Creates a writer for `ledger`; `stock` in mm.
     /// Requires: `ledger` outlives the writer.
-    LedgerBook(Ledger& ledger, const cda::Box& stock) : ledger_(ledger), stock_(stock) {}
+    LedgerBook(Ledger& ledger, const Box& stock) : ledger_(ledger), stock_(stock) {}
 
     /// Begins a motion.
     void begin() { cut_now_ = {}; }
@@ -46,7 +46,7 @@ private:
     };
 
     Ledger& ledger_;
-    cda::Box stock_;
+    Box stock_;
     Cut cut_now_;
     std::vector<Cut> cuts_;
 };

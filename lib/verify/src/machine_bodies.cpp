@@ -13,7 +13,7 @@ namespace ncsim::verify {
 namespace {
 
 RigidBody pieces_of(const std::string& what, const std::string& specified_at,
-                    const cda::TriangleMesh& mesh, double deflection_mm) {
+                    const TriangleMesh& mesh, double deflection_mm) {
     try {
         return body_in_pieces(mesh, deflection_mm);
     } catch (const std::invalid_argument& why) {

@@ -16,8 +16,6 @@
 
 namespace ncsim::verify {
 
-using cda::Box;
-using cda::Vec3;
 using machine::Chain;
 using machine::Values;
 
@@ -56,7 +54,7 @@ ConvexPiece piece_of_tool(const toolpath::ToolPiece& specified, toolpath::ToolAc
 // Returns the body of a fixture.
 // Requires: MachineBodies accepted the mesh.
 RigidBody body_of(const Fixture& fixture, Vec3 shift) {
-    cda::TriangleMesh mesh = fixture.mesh;
+    TriangleMesh mesh = fixture.mesh;
     for (Vec3& p : mesh.vertices)
         p = p + shift;
     if (!reason_for_hull(fixture.mesh, fixture.as_hull).empty())

@@ -37,7 +37,7 @@ public:
     /// the part: exactly one tile checks each pair. With the evidence of all tiles, no pair is
     /// checked.
     /// Requires: `setup` outlives the scene.
-    MachineScene(const Setup& setup, const cda::Box& stock, const Share& share = {});
+    MachineScene(const Setup& setup, const Box& stock, const Share& share = {});
 
     /// True if no pair is checked.
     bool is_empty() const { return pairs_.empty(); }
@@ -109,12 +109,12 @@ private:
     void report_contact(const Pair& pair, const Encounter& encounter, bool touches,
                         std::vector<MachineContact>& contacts);
     bool is_selected_pair(std::size_t pair) const;
-    cda::Vec3 to_W(const Pair& pair, const Encounter& encounter) const;
+    Vec3 to_W(const Pair& pair, const Encounter& encounter) const;
 
     const Setup* setup_;
-    cda::Box stock_;
+    Box stock_;
     Share share_;
-    cda::Vec3 zero_;
+    Vec3 zero_;
     cda::Lattice lattice_;
     std::vector<Member> members_;
     std::vector<std::unique_ptr<const RigidBody>> fixtures_;

@@ -3,7 +3,7 @@
 // Motion as the rules see it: values from the program, and values measured during the simulation.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/gcode/motion.h"
 #include "ncsim/machine/chain.h"
 #include "ncsim/verify/finding.h"
@@ -23,8 +23,8 @@ struct BodyContact {
     /// Smallest distance by which the piece would have to sit higher on the tool to avoid material
     /// in all motions so far, rounded up to 0.01 mm.
     double raise_mm = 0.0;
-    std::optional<cda::Vec3> point;  ///< Common point.
-    cda::Box box;                    ///< Encloses the contact.
+    std::optional<Vec3> point;  ///< Common point.
+    Box box;                    ///< Encloses the contact.
 };
 
 struct FixtureContact {
@@ -32,7 +32,7 @@ struct FixtureContact {
     std::size_t piece = 0;    ///< Index of the piece of the tool.
     bool touches = false;     ///< The fixture itself, not only the clearance.
     Certainty certainty = Certainty::Within;
-    cda::Box box;
+    Box box;
 };
 
 /// Contact of two bodies that a machine moves, at least one of them a link.
@@ -44,7 +44,7 @@ struct MachineContact {
     double clearance_mm = 0.0;
     /// Positions of the joints at the contact, machine coordinates.
     machine::Values values{};
-    std::optional<cda::Vec3> point;  ///< W; empty unless the contact is certain.
+    std::optional<Vec3> point;       ///< W; empty unless the contact is certain.
     bool assumed = false;            ///< The shape of a body in contact is not fully specified.
     std::vector<std::string> hulls;  ///< Meshes replaced by hulls, with reasons.
 };
@@ -60,19 +60,19 @@ struct Move {
     bool arrives = false;
     bool after_probe = false;  ///< A probing move precedes; its contact point is assumed.
     double length_mm = 0.0;    ///< Path of the controlled point.
-    cda::Vec3 enters, leaves;  ///< Unit vectors at the two ends of the path; 0 without a length.
+    Vec3 enters, leaves;       ///< Unit vectors at the two ends of the path; 0 without a length.
     double radius_mm = 0.0;    ///< Radius of an arc, the smaller radius of a spiral; otherwise 0.
-    cda::Box path;             ///< Box of the path of the controlled point, W.
+    Box path;                  ///< Box of the path of the controlled point, W.
     /// Box of the controlled point in machine coordinates, including the tool length; empty if the
     /// position of the work zero is unspecified.
-    std::optional<cda::Box> machine_path;
+    std::optional<Box> machine_path;
     /// X, Y and Z of the program differ from the positions of the axes: tip control with rotary
     /// axes away from 0, or W moves the tool along its axis.
     bool is_tilted_tip = false;
     /// Z at the start, and at the end, is a position of the spindle nose, not of the tip.
     bool starts_at_nose = false, ends_at_nose = false;
     /// Box of all paths up to and including this motion, and up to the motion before.
-    cda::Box way, previous_path_box;
+    Box way, previous_path_box;
 
     // Length of the tool in the control.
     int length_register = 0;            ///< Number, or a gcode::LengthRegister.
@@ -88,8 +88,8 @@ struct Move {
     bool volume_known = false;
     double removed_mm3 = 0.0;
     Certainty certainty = Certainty::Within;
-    cda::Box contact;                        ///< Encloses all contacts with the stock.
-    std::optional<cda::Vec3> contact_point;  ///< Point in the tool and in the material.
+    Box contact;                        ///< Encloses all contacts with the stock.
+    std::optional<Vec3> contact_point;  ///< Point in the tool and in the material.
 
     /// Length (mm) of the descent on material under the core, which does not cut, since the tool
     /// last moved aside; 0 if the length is permitted.

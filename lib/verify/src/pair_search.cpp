@@ -3,9 +3,9 @@
 // Searches for contacts of moving bodies by halving the motion.
 #include "pair_search.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/cda/hull.h"
 #include "ncsim/cda/separation.h"
-#include "ncsim/trig/angles.h"
 
 #include "body.h"
 
@@ -20,9 +20,7 @@
 
 namespace ncsim::verify {
 
-using cda::Box;
 using cda::LatticePoint;
-using cda::Vec3;
 using machine::Ball;
 using machine::Pose;
 using machine::Values;
@@ -86,7 +84,7 @@ std::optional<Ball> ball_of(const PairOnLeg& pair, const RigidBody& body, const 
     // x = tip(t) + R(t) r, and |R'' r| <= (Σθ)² |r| for any number of axes.
     double turn = 0.0;
     for (std::size_t i = 3; i < 6; ++i)
-        turn += trig::kRadiansPerDegree * std::abs(s.to[i] - s.from[i]);
+        turn += kRadiansPerDegree * std::abs(s.to[i] - s.from[i]);
     const double reach = norm(body.centre() - pair.tip) + body.radius();
     ball.speed = std::min(ball.speed, tip->speed + turn * reach);
     ball.bend = std::min(ball.bend, tip->bend + turn * turn * reach);

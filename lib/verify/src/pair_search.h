@@ -33,7 +33,7 @@ struct Encounter {
     Closeness closeness = Closeness::Clear;
     double time = 0.0;         ///< Time in the leg, 0 to 1.
     machine::Values values{};  ///< Joint positions at that time, machine coordinates.
-    cda::Vec3 point;  ///< Common or near point, in the frame of the observer with all joints at 0.
+    Vec3 point;  ///< Common or near point, in the frame of the observer with all joints at 0.
     double amount_mm = 0.0;  ///< Penetration; or distance, if distance is searched.
     bool assumed = false;    ///< The shape of a piece is not fully specified.
 };
@@ -48,7 +48,7 @@ struct PairOnLeg {
     /// The observer is fixed to the part, and the body to the tool, whose tip is at `tip` with all
     /// joints at 0. The path of the tip then also bounds the path of the body.
     bool of_part_and_tool = false;
-    cda::Vec3 tip;
+    Vec3 tip;
     std::size_t most_stretches = kMostStretches;
     /// Contact in the preceding motion; contact at an end is then likely.
     bool had_contact = false;
@@ -64,7 +64,7 @@ Encounter search_near(const PairOnLeg& pair, const RigidBody& observer, const Ri
 /// Searches for contact of the body with the rest of the stock (`stock`: box in W, mm), or for
 /// distances below `clearance_mm`. `zero`: origin of W in the frame of the observer with all joints
 /// at 0. The penetration is the distance by which the body would have to shrink on all sides.
-Encounter search_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, const cda::Box& stock,
-                      cda::Vec3 zero, const RigidBody& body, double clearance_mm, bool measured);
+Encounter search_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, const Box& stock,
+                      Vec3 zero, const RigidBody& body, double clearance_mm, bool measured);
 
 }  // namespace ncsim::verify

@@ -11,8 +11,8 @@
 namespace ncsim::verify {
 
 Passes::Pass Passes::pass_of(const toolpath::Step& step) {
-    cda::Vec3 a = step.X_WA.translation;
-    cda::Vec3 b = step.X_WB.translation;
+    Vec3 a = step.X_WA.translation;
+    Vec3 b = step.X_WB.translation;
     if (std::pair(b.x, b.y) < std::pair(a.x, a.y)) std::swap(a, b);
     // Straight up or down: only the lower end matters.
     if (a.x == b.x && a.y == b.y) a.z = b.z = std::min(a.z, b.z);

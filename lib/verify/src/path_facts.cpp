@@ -16,8 +16,6 @@
 
 namespace ncsim::verify {
 
-using cda::Box;
-using cda::Vec3;
 using gcode::MoveKind;
 
 namespace {

@@ -18,7 +18,7 @@ class PathFacts {
 public:
     /// Starts at the beginning of a program; `stock` in mm, W.
     /// Requires: `setup` outlives the object.
-    PathFacts(const Setup& setup, const cda::Box& stock);
+    PathFacts(const Setup& setup, const Box& stock);
 
     /// Sets the frame of the next motion, which includes the tool length offset.
     void set_frame(const gcode::ProgramFrame& frame);
@@ -40,11 +40,11 @@ private:
 
     const Setup& setup_;
     gcode::ProgramFrame frame_;
-    cda::Vec3 tool_offset_;  // mm
-    bool at_nose_ = false;   // Z is a position of the spindle nose, not of the tip
+    Vec3 tool_offset_;      // mm
+    bool at_nose_ = false;  // Z is a position of the spindle nose, not of the tip
     // highest point of stock and fixtures, W
     double highest_ = -std::numeric_limits<double>::infinity();
-    cda::Box way_;  // box of all motions so far
+    Box way_;  // box of all motions so far
 };
 
 }  // namespace ncsim::verify

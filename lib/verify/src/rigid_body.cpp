@@ -11,9 +11,6 @@
 
 namespace ncsim::verify {
 
-using cda::Box;
-using cda::Vec3;
-
 ConvexPiece piece_of(const cda::ConvexPolytope& polytope, const cda::Lattice& lattice,
                      Vec3 centre) {
     ConvexPiece piece;
@@ -24,13 +21,13 @@ ConvexPiece piece_of(const cda::ConvexPolytope& polytope, const cda::Lattice& la
     return piece;
 }
 
-RigidBody body_in_pieces(const cda::TriangleMesh& mesh, double deflection_mm) {
+RigidBody body_in_pieces(const TriangleMesh& mesh, double deflection_mm) {
     // Moved to the origin, where the lattice is finest.
     Box box;
     for (const Vec3& p : mesh.vertices)
         box.add(p);
     const Vec3 centre = box.centre();
-    cda::TriangleMesh near = mesh;
+    TriangleMesh near = mesh;
     for (Vec3& p : near.vertices)
         p = p - centre;
     const cda::Lattice lattice = cda::Lattice::for_stock({box.min - centre, box.max - centre});
@@ -41,7 +38,7 @@ RigidBody body_in_pieces(const cda::TriangleMesh& mesh, double deflection_mm) {
     return {std::move(pieces), 3.0 * lattice.unit_mm + deflection_mm};
 }
 
-std::string reason_for_hull(const cda::TriangleMesh& mesh, bool specified) {
+std::string reason_for_hull(const TriangleMesh& mesh, bool specified) {
     // larger meshes take longer to divide than a program to verify
     constexpr std::size_t kMostTriangles = 50'000;
     if (specified) return "that was specified";
@@ -49,7 +46,7 @@ std::string reason_for_hull(const cda::TriangleMesh& mesh, bool specified) {
     return {};
 }
 
-RigidBody hull_of(const cda::TriangleMesh& mesh, double deflection_mm) {
+RigidBody hull_of(const TriangleMesh& mesh, double deflection_mm) {
     return {{ConvexPiece{mesh.vertices, {}, {}, false}}, deflection_mm};
 }
 

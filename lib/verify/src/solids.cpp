@@ -3,23 +3,22 @@
 // Finds the connected pieces of a part.
 #include "ncsim/verify/solids.h"
 
+#include "ncsim/cda/triangulate.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace ncsim::verify {
 
-using cda::Corners;
-using cda::Vec3;
-
 Solids::Solids(const cda::Boundary& boundary)
-    : mesh_(std::make_unique<const cda::TriangleMesh>(cda::triangulate(boundary))),
+    : mesh_(std::make_unique<const TriangleMesh>(cda::triangulate(boundary))),
       triangles_(boundary.shells) {
     std::vector<Solid> shells(boundary.shells);
     for (std::uint32_t t = 0; t < mesh_->triangles.size(); ++t) {
         const cda::BoundaryFace& face = boundary.faces[mesh_->face[t]];
         triangles_[face.shell].push_back(t);
         Solid& solid = shells[face.shell];
-        const Corners c = corners_of(*mesh_, t);
+        const TriangleCorners c = corners_of(*mesh_, t);
         solid.volume_mm3 += dot(c[0], cross(c[1], c[2])) / 6.0;
         for (const Vec3& corner : c)
             solid.box.add(corner);
@@ -56,13 +55,13 @@ std::optional<Vec3> Solids::point_in(std::size_t solid) const {
     const Solid& s = solids_[solid];
     std::vector<std::pair<double, std::uint32_t>> large;
     for (const std::uint32_t t : triangles_[s.shell]) {
-        const Corners c = corners_of(*mesh_, t);
+        const TriangleCorners c = corners_of(*mesh_, t);
         large.emplace_back(-norm(cross(c[1] - c[0], c[2] - c[0])), t);
     }
     std::ranges::sort(large);
     if (large.size() > 8) large.resize(8);
     for (const auto& [area, t] : large) {
-        const Corners c = corners_of(*mesh_, t);
+        const TriangleCorners c = corners_of(*mesh_, t);
         const Vec3 middle = (1.0 / 3) * (c[0] + c[1] + c[2]);
         const Vec3 inward = -normalized(cross(c[1] - c[0], c[2] - c[0]));
         double depth = 0.3 * norm(s.box.size());

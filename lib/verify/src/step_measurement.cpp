@@ -3,8 +3,8 @@
 // Measures the contacts of a tool with the part.
 #include "step_measurement.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/toolpath/tool_polytope.h"
-#include "ncsim/trig/angles.h"
 
 #include "body.h"
 #include "rule_table.h"
@@ -18,9 +18,7 @@
 
 namespace ncsim::verify {
 
-using cda::Box;
 using cda::Cell;
-using cda::Vec3;
 using gcode::MoveKind;
 using toolpath::Step;
 
@@ -371,8 +369,7 @@ void Measuring::follow_core(const Step& step,
     const bool is_aside = aside(step.X_WB.translation - *w.aside_since) >= radius;
     if (steepness > 0.0) {
         constexpr double kUsualRamp = 5.0;  // degrees
-        const double slope =
-            trig::tangent(std::clamp(facts.max_ramp.value_or(kUsualRamp), 0.0, 89.0));
+        const double slope = tangent(std::clamp(facts.max_ramp.value_or(kUsualRamp), 0.0, 89.0));
         const double allowed = (steepness > slope ? 1.0 : 4.0) * slope * radius;
         double fall = -dot(way, axis);
         if (is_aside) fall = std::min(fall, steepness * radius);

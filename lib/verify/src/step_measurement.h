@@ -30,12 +30,12 @@ public:
     /// Creates a measurement. `stock` (mm, W) and `lattice` are the part's. `volumes`: the caller
     /// measures the removed volume of every step.
     /// Requires: `setup` and `move` outlive the object.
-    Measuring(const Setup& setup, const cda::Box& stock, const cda::Lattice& lattice, Move& move,
+    Measuring(const Setup& setup, const Box& stock, const cda::Lattice& lattice, Move& move,
               bool volumes)
         : setup_(setup), stock_(stock), lattice_(lattice), move_(move), volumes_(volumes) {}
 
     /// Also records all observations in `evidence`. `place` (mm, W): box of the tile.
-    void keep(Evidence& evidence, const cda::Box& place) {
+    void keep(Evidence& evidence, const Box& place) {
         kept_ = &evidence;
         place_ = place;
     }
@@ -87,8 +87,8 @@ public:
 private:
     using Step = toolpath::Step;
 
-    std::optional<cda::Vec3> contact(const cda::Cell& cell, double rounding,
-                                     const cda::WorkpieceModel& part) const;
+    std::optional<Vec3> contact(const cda::Cell& cell, double rounding,
+                                const cda::WorkpieceModel& part) const;
     void record_if_certain(const PartContact& meeting, Subject subject);
     bool is_away(const Body& body, const Step& step, double raise) const;
     Observation current_observation(Subject subject, std::size_t index = 0) const;
@@ -96,11 +96,11 @@ private:
     bool wants_volume() const;
     void book(const std::optional<double>& volume);
     static double common_volume(const Step& step, const cda::WorkpieceModel& part);
-    std::optional<cda::Vec3> find_material(const Step& step, const cda::WorkpieceModel& part,
-                                           std::uint32_t& rank);
+    std::optional<Vec3> find_material(const Step& step, const cda::WorkpieceModel& part,
+                                      std::uint32_t& rank);
     std::optional<Certainty> refine_contact(std::string_view rule,
                                             std::optional<std::size_t> piece);
-    std::optional<cda::Vec3> certain_point(const Step& step, const cda::WorkpieceModel& part);
+    std::optional<Vec3> certain_point(const Step& step, const cda::WorkpieceModel& part);
     bool keeps_places() const { return kept_ || setup_.refine_contact; }
     double drop_to_material(const Step& step, const cda::WorkpieceModel& part, double fall,
                             double allowed);
@@ -111,15 +111,15 @@ private:
     const toolpath::Tool& tool_now() const { return setup_.tools.at(move_.motion->tool).tool; }
 
     const Setup& setup_;
-    cda::Box stock_;
+    Box stock_;
     cda::Lattice lattice_;
     Move& move_;
     bool volumes_;
     ToolMonitors* current_ = nullptr;
     std::uint64_t step_ = 0;
     bool has_contact_ = false;
-    Evidence* kept_ = nullptr;       // of a tile
-    std::optional<cda::Box> place_;  // box of the tile
+    Evidence* kept_ = nullptr;  // of a tile
+    std::optional<Box> place_;  // box of the tile
     // Number of steps of faulty motions whose volume was measured, and the limit of this number. A
     // measurement costs as much as ten cuts. A single fault gets a number, thousands get "at
     // least".
@@ -127,7 +127,7 @@ private:
     static constexpr std::uint64_t kMostMeasured = 16;
     std::vector<cda::Cell> cells_;  // kept to reuse memory
     // Boxes of open contacts in this motion, by piece of the tool; no piece: the cutter.
-    std::map<std::optional<std::size_t>, std::vector<cda::Box>> open_;
+    std::map<std::optional<std::size_t>, std::vector<Box>> open_;
 };
 
 }  // namespace ncsim::verify

@@ -3,12 +3,12 @@
 // Parses suppressions in the comments of a program.
 #include "ncsim/verify/suppression.h"
 
+#include "ncsim/base/ascii.h"
 #include "ncsim/gcode/language.h"
 #include "ncsim/gcode/parser.h"
 #include "ncsim/verify/rule.h"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <utility>
 
@@ -17,13 +17,6 @@ namespace ncsim::verify {
 namespace {
 
 constexpr std::string_view kBlanks = " \t";
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return result;
-}
 
 void skip_blanks(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
@@ -44,7 +37,7 @@ std::vector<std::string> words_of(std::string_view text) {
 // Returns the words after "ncsim: ignore". Empty optional: the comment requests nothing. No words:
 // the comment requests something but is not understood.
 std::optional<std::vector<std::string>> ignored_in(std::string_view comment) {
-    const std::string whole = lower(comment);
+    const std::string whole = lowercase(comment);
     std::string_view text = whole;
     skip_blanks(text);
     constexpr std::string_view kName = "ncsim";

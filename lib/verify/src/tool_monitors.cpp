@@ -8,8 +8,6 @@
 
 namespace ncsim::verify {
 
-using cda::Vec3;
-
 namespace {
 
 constexpr double kAll = std::numeric_limits<double>::infinity();

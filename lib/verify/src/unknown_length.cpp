@@ -46,7 +46,7 @@ double widest_radius(const toolpath::Tool& tool) {
     return radius;
 }
 
-bool is_over(const cda::Box& path, double radius, const cda::Box& body) {
+bool is_over(const Box& path, double radius, const Box& body) {
     for (int axis = 0; axis < 2; ++axis) {
         if (path.max[axis] + radius <= body.min[axis] || path.min[axis] - radius >= body.max[axis])
             return false;
@@ -57,7 +57,7 @@ bool is_over(const cda::Box& path, double radius, const cda::Box& body) {
 // Returns the name of a body under the path that reaches above `height` (mm, W).
 std::optional<std::string> body_below_path(const Setup& setup, const Move& move, double radius,
                                            double height) {
-    const auto meets = [&](const cda::Box& body) {
+    const auto meets = [&](const Box& body) {
         return is_over(move.path, radius, body) && body.max.z > height + kRounding;
     };
     if (setup.stock && meets(*setup.stock)) return "the stock";

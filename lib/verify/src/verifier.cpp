@@ -32,9 +32,7 @@
 
 namespace ncsim::verify {
 
-using cda::Box;
 using cda::Cell;
-using cda::Vec3;
 using gcode::MoveKind;
 using toolpath::Step;
 

@@ -10,9 +10,6 @@
 
 namespace ncsim::brep {
 
-using cda::dot;
-using cda::norm;
-
 std::optional<Circle> circle_through(const Circle& circle, Vec3 tangent_at, Vec3 other) {
     const Vec3 out = radial_vector(circle.centre, circle.axis, tangent_at);
     const Vec3 chord = radial_vector(tangent_at, circle.axis, other);
@@ -31,7 +28,7 @@ std::optional<Circle> circle_through(const Circle& circle, Vec3 tangent_at, Vec3
 double angle_between(const Circle& a, const Circle& b, Vec3 p) {
     const Vec3 one = radial_vector(a.centre, a.axis, p), two = radial_vector(b.centre, b.axis, p);
     const double lengths = norm(one) * norm(two);
-    return lengths > 0.0 ? norm(cda::cross(one, two)) / lengths : 0.0;
+    return lengths > 0.0 ? norm(cross(one, two)) / lengths : 0.0;
 }
 
 }  // namespace ncsim::brep

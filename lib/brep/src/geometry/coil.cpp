@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Points on coils.
+#include "ncsim/base/angles.h"
 #include "ncsim/brep/surface_forms.h"
-#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,14 +11,9 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::normalized;
-using trig::kRadiansPerDegree;
-
 // Moves the circle of `place` to the angle `turn`.
 void turn_to(const Coil& coil, double turn, CoilPlace& place) {
-    const auto t = trig::sin_cos(turn / kRadiansPerDegree);
+    const auto t = sin_cos(turn / kRadiansPerDegree);
     const Vec3 side = cross(coil.axis, coil.ahead);
     place.turn = turn;
     place.centre = coil.centre + coil.reach * (t.cos * coil.ahead + t.sin * side) +

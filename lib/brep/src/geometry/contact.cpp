@@ -3,7 +3,7 @@
 // Tangency of surfaces, by the kinds of both.
 #include "geometry/contact.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "geometry/envelope_contact.h"
 #include "geometry/path_corners.h"
@@ -16,11 +16,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-
 std::optional<Form> plane_at(Vec3 origin, Vec3 normal) {
     return Plane{origin, normalized(normal)};
 }
@@ -30,7 +25,7 @@ SpiralPlace looking(const Spiral& spiral, Vec3 out) {
     const Vec3 side = cross(spiral.axis, spiral.ahead);
     SpiralPlace place = place_at(spiral, 0.0);
     constexpr int kSteps = 8;
-    double turn = trig::angle_of(dot(out, spiral.ahead), dot(out, side)) * trig::kRadiansPerDegree;
+    double turn = angle_of(dot(out, spiral.ahead), dot(out, side)) * kRadiansPerDegree;
     for (int step = 0; step < kSteps; ++step) {
         place = place_at(spiral, turn);
         turn += dot(out, place.along);

@@ -3,7 +3,7 @@
 // Points and derivatives on lines, circles, ellipses and splines.
 #include "ncsim/brep/curve.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,14 +11,7 @@
 
 namespace ncsim::brep {
 
-using trig::kRadiansPerDegree;
-
 namespace {
-
-using cda::cross;
-using cda::dot;
-using trig::angle_of;
-using trig::sin_cos;
 
 // Returns the angle in (0, 360]; 0 except for rounding counts as a whole turn.
 double as_sweep(double degrees) {

@@ -10,13 +10,7 @@
 
 namespace ncsim::brep {
 
-namespace {
-
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-
-}  // namespace
+namespace {}  // namespace
 
 std::optional<CutWalk> walk_along_cut(const Surface& surface, const CutPlane& plane, Vec3 begin,
                                       std::span<const Vec3> ends, double chords_mm) {
@@ -25,9 +19,7 @@ std::optional<CutWalk> walk_along_cut(const Surface& surface, const CutPlane& pl
     constexpr int kMostSteps = 20'000;
     const Form level = Plane{plane.offset * plane.normal, plane.normal};
     const std::array<const Form*, 2> both{&surface.form, &level};
-    const auto ahead = [&](Vec3 p) {
-        return normalized(cda::cross(plane.normal, outward(surface, p)));
-    };
+    const auto ahead = [&](Vec3 p) { return normalized(cross(plane.normal, outward(surface, p))); };
     CutWalk walk;
     Vec3 p = begin, direction = ahead(begin);
     double step = 0.1 * kLongest;

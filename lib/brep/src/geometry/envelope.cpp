@@ -6,7 +6,7 @@
 // envelope; the spin of the tool about its axis has no effect.
 #include "ncsim/brep/envelope.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "geometry/ellipse.h"
 #include "geometry/rim.h"
@@ -19,12 +19,6 @@
 #include <optional>
 
 namespace ncsim::brep {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-using trig::kRadiansPerDegree;
 
 namespace {
 
@@ -337,7 +331,7 @@ namespace {
 // Returns the angle around the path, from `up` to `side`, in [0, 360).
 double degrees_around(const PathFrame& at, Vec3 p) {
     const Vec3 v = p - at.centre;
-    const double degrees = trig::angle_of(dot(v, at.up), dot(v, at.side));
+    const double degrees = angle_of(dot(v, at.up), dot(v, at.side));
     return degrees < 0.0 ? degrees + 360.0 : degrees;
 }
 
@@ -407,7 +401,7 @@ Vec3 point_around(const Sweep& sweep, const ToolFrame& tool, double degrees) {
 
 Vec3 point_with_normal(const Sweep& sweep, const ToolFrame& tool, double degrees) {
     const PathFrame at = path_frame(sweep, tool);
-    const auto angle = trig::sin_cos(degrees);
+    const auto angle = sin_cos(degrees);
     const Fillet& fillet = *sweep.fillet();
     const Vec3 n = normal_across(fillet, tool, at, angle.cos * at.up + angle.sin * at.side);
     const Vec3 radial = fillet.centre_radius > 0.0

@@ -14,11 +14,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-
 // Returns the form that crosses an envelope along the characteristic of time `t`; for a ball, a
 // plane.
 Form plane_across_path(const Envelope& envelope, double t) {

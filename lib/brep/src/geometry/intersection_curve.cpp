@@ -13,11 +13,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-
 struct Axis {
     Vec3 origin, direction;
 };

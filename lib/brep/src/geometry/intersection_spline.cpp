@@ -18,11 +18,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-
 constexpr double kAccuracy = 1e-5;           // mm
 constexpr double kLeastCrossingSine = 1e-3;  // sine of the angle between both forms
 constexpr double kLeastStep = 1e-4;          // mm

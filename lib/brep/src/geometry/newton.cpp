@@ -15,10 +15,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-
 // Eigenvalues and eigenvectors of a symmetric matrix, by Jacobi rotations.
 struct Eigen {
     std::array<double, 3> values;

@@ -3,7 +3,7 @@
 // Corners of tool paths: common planes and circles of the surfaces before and after a corner.
 #include "geometry/path_corners.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "geometry/tolerances.h"
 
@@ -11,11 +11,6 @@
 #include <cmath>
 
 namespace ncsim::brep {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
 
 namespace {
 
@@ -95,8 +90,8 @@ std::optional<Vec3> common_circle(const Coil& coil, const Form& other, Vec3 p) {
         const CoilPlace near_p = place_at_height(coil, p);
         const Vec3 up = radial_vector(coil.centre, coil.axis, near_p.centre);
         const Vec3 to = radial_vector(coil.centre, coil.axis, wall->origin);
-        const double degrees = trig::angle_of(dot(to, up), dot(to, cross(coil.axis, up)));
-        p = near_p.centre + (degrees * trig::kRadiansPerDegree * coil.lead) * coil.axis;
+        const double degrees = angle_of(dot(to, up), dot(to, cross(coil.axis, up)));
+        p = near_p.centre + (degrees * kRadiansPerDegree * coil.lead) * coil.axis;
     }
     Vec3 at = p;
     for (int step = 0; step < kMostSteps; ++step) {

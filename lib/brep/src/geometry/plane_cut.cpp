@@ -3,7 +3,7 @@
 // Cuts of each form by a plane.
 #include "geometry/plane_cut.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +11,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-using trig::angle_of;
-using trig::sin_cos;
 
 // Sine of the angle below which directions count as equal.
 constexpr double kParallel = 1e-9;

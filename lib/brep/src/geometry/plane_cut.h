@@ -14,7 +14,7 @@ namespace ncsim::brep {
 struct CutPlane {
     Vec3 normal;
     double offset = 0.0;
-    double height(Vec3 p) const { return cda::dot(normal, p) - offset; }
+    double height(Vec3 p) const { return dot(normal, p) - offset; }
 };
 
 /// Branch of a cut: the circle or ellipse centre + cos t · x + sin t · y, or the line centre + t ·

@@ -3,19 +3,13 @@
 // Positions, samples and frames of tools along their paths.
 #include "ncsim/brep/profile_sweep.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace ncsim::brep {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-using trig::kRadiansPerDegree;
 
 namespace {
 
@@ -25,7 +19,7 @@ ToolFrame tool_frame(const StraightPath& path, double t) {
 
 ToolFrame tool_frame(const HelixPath& path, double t) {
     const double w = t * path.swept;
-    const auto angle = trig::sin_cos(w / kRadiansPerDegree);
+    const auto angle = sin_cos(w / kRadiansPerDegree);
     const Vec3 side = cross(path.about, path.ahead);
     const Vec3 up = angle.cos * path.ahead + angle.sin * side;
     const Vec3 on = angle.cos * side - angle.sin * path.ahead;

@@ -6,7 +6,7 @@
 // point.
 #include "geometry/rim.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +14,6 @@
 #include <vector>
 
 namespace ncsim::brep {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
 
 namespace {
 
@@ -140,7 +135,7 @@ Vec3 gradient_of_rise_of_rim(const Fillet& rim, const ClosestPoint& closest) {
 double place_on_rim(const Sweep& sweep, const ToolFrame& tool, Vec3 p) {
     const PathFrame at = path_frame(sweep, tool);
     const Vec3 v = p - at.centre;
-    const double degrees = trig::angle_of(dot(v, middle_way(sweep, tool, at)), dot(v, at.side));
+    const double degrees = angle_of(dot(v, middle_way(sweep, tool, at)), dot(v, at.side));
     constexpr double kHalf = 180.0;
     return kHalf - degrees;
 }
@@ -148,7 +143,7 @@ double place_on_rim(const Sweep& sweep, const ToolFrame& tool, Vec3 p) {
 Vec3 point_on_rim(const Sweep& sweep, const ToolFrame& tool, double place) {
     const PathFrame at = path_frame(sweep, tool);
     constexpr double kHalf = 180.0;
-    const auto angle = trig::sin_cos(kHalf - place);
+    const auto angle = sin_cos(kHalf - place);
     const Vec3 out = angle.cos * middle_way(sweep, tool, at) + angle.sin * at.side;
     return at.centre + sweep.fillet()->centre_radius * out;
 }

@@ -4,8 +4,8 @@
 // as smooth as rotations at constant speed to the last bits. At this low degree, powers are as
 // exact as Chebyshev polynomials and are evaluated in a single loop.
 // Source: Trefethen, Approximation Theory and Approximation Practice, 2013, chapters 3 and 8.
+#include "ncsim/base/angles.h"
 #include "ncsim/brep/profile_sweep.h"
-#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ double time_of(double place) {
 double cosine_at(std::size_t k, std::size_t times) {
     constexpr double kHalf = 180.0;
     const double degrees = kHalf * (static_cast<double>(k) + 0.5) / static_cast<double>(kTerms);
-    return trig::sin_cos(static_cast<double>(times) * degrees).cos;
+    return sin_cos(static_cast<double>(times) * degrees).cos;
 }
 
 // Returns the coefficients of the Chebyshev polynomials, without those that are rounding errors.
@@ -110,8 +110,7 @@ std::optional<RotaryPath> fit_rotary_path(const std::function<TipAndAxis(double)
         const double t = time_of(2.0 * (static_cast<double>(k) + 0.3) / (2.0 * kTerms) - 1.0);
         const TipAndAxis there = pose(t);
         const ToolFrame here = tool_frame(path, t);
-        if (cda::norm(here.tip - there.tip) > kMiss ||
-            kReach * cda::norm(here.axis - there.axis) > kMiss)
+        if (norm(here.tip - there.tip) > kMiss || kReach * norm(here.axis - there.axis) > kMiss)
             return std::nullopt;
     }
     return path;

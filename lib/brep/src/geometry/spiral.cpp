@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Points on spirals.
+#include "ncsim/base/angles.h"
 #include "ncsim/brep/surface_forms.h"
-#include "ncsim/trig/angles.h"
 
 #include <cmath>
 
 namespace ncsim::brep {
-
-using cda::cross;
-using cda::dot;
-using trig::kRadiansPerDegree;
 
 namespace {
 
@@ -25,7 +21,7 @@ double pace_at(const Spiral& spiral, double turn, double offset) {
 }  // namespace
 
 SpiralPlace place_at(const Spiral& spiral, double turn) {
-    const auto t = trig::sin_cos(turn / kRadiansPerDegree);
+    const auto t = sin_cos(turn / kRadiansPerDegree);
     const Vec3 side = cross(spiral.axis, spiral.ahead);
     const Vec3 up = t.cos * spiral.ahead + t.sin * side,
                tangent = t.cos * side - t.sin * spiral.ahead;
@@ -45,7 +41,7 @@ SpiralPlace project_onto(const Spiral& spiral, Vec3 p) {
     const double height = dot(v, spiral.axis);
     const Vec3 level = spiral.centre + (v - height * spiral.axis);
     const double x = dot(v, spiral.ahead), y = dot(v, cross(spiral.axis, spiral.ahead));
-    SpiralPlace place = place_at(spiral, trig::angle_of(x, y) * kRadiansPerDegree);
+    SpiralPlace place = place_at(spiral, angle_of(x, y) * kRadiansPerDegree);
     // Newton's method for the angle at which `p` lies across the path. The derivative is the speed
     // of the offset path through `p`.
     constexpr int kMostSteps = 40;

@@ -3,7 +3,7 @@
 // Distances, gradients and places on all forms.
 #include "ncsim/brep/surface_forms.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "geometry/ellipse.h"
 
@@ -14,11 +14,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
 
 // Point in cylindrical coordinates about an axis.
 struct Polar {
@@ -71,7 +66,7 @@ Vec3 normal_at(const Coil& f, const CoilPlace& place) {
 struct BesideHelix {
     BesideHelix(const Helicoid& f, Vec3 p) {
         const Vec3 v = p - f.centre;
-        const auto t = trig::sin_cos(dot(v, f.axis) / f.lead / trig::kRadiansPerDegree);
+        const auto t = sin_cos(dot(v, f.axis) / f.lead / kRadiansPerDegree);
         const Vec3 side = cross(f.axis, f.ahead);
         const Vec3 up = t.cos * f.ahead + t.sin * side, tangent = t.cos * side - t.sin * f.ahead;
         deviation = dot(v, tangent);
@@ -314,7 +309,7 @@ double radius_of(const Form& form) {
 }
 
 double DomePlace::degrees() const {
-    return trig::angle_of(cosine, sine);
+    return angle_of(cosine, sine);
 }
 
 DomePlace project_onto(const Dome& dome, Vec3 p) {
@@ -385,11 +380,11 @@ double tip_degrees(const Torus& spindle) {
     constexpr double kHalf = 180.0;
     const double major = spindle.major, minor = spindle.minor;
     if (major >= minor) return -kHalf;
-    return trig::angle_of(-major, -std::sqrt(minor * minor - major * major));
+    return angle_of(-major, -std::sqrt(minor * minor - major * major));
 }
 
 double half_angle_rad(const Cone& cone) {
-    return trig::angle_of(1.0, cone.slope) * (std::numbers::pi / 180.0);
+    return angle_of(1.0, cone.slope) * (std::numbers::pi / 180.0);
 }
 
 Vec3 any_perpendicular(Vec3 axis) {

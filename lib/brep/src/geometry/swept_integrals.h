@@ -4,9 +4,9 @@
 // remaining integral runs along the edges of faces (Green's theorem).
 #pragma once
 
+#include "ncsim/base/angles.h"
 #include "ncsim/brep/envelope.h"
 #include "ncsim/brep/surface_forms.h"
-#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <array>
@@ -43,34 +43,34 @@ public:
     // Returns the area and three times the volume, per radian of the circle's angle.
     AreaAndVolume area_and_volume(const DomePlace& place) const {
         constexpr double kPiece = 45.0;
-        const Vec3 tangent = cda::cross(dome_.axis, place.out);
-        const double degrees = place.degrees(), per_degree = trig::kRadiansPerDegree * per_radian();
+        const Vec3 tangent = cross(dome_.axis, place.out);
+        const double degrees = place.degrees(), per_degree = kRadiansPerDegree * per_radian();
         AreaAndVolume sum;
-        in_pieces(degrees, kPiece, [&](double weight, const trig::SinCos& t) {
-            const double lean = t.sin * cda::dot(tangent, dome_.ahead);
+        in_pieces(degrees, kPiece, [&](double weight, const SinCos& t) {
+            const double lean = t.sin * dot(tangent, dome_.ahead);
             sum.area += (weight * per_degree) * std::sqrt(std::max(0.0, 1.0 - lean * lean));
         });
         // Integral over t of the normal, around x (cos t axis - sin t ahead). The product of the
         // normal with the vector from the arc's centre is the same for all t.
-        const Vec3 normal = place.sine * cda::cross(tangent, dome_.axis) -
-                            (1.0 - place.cosine) * cda::cross(tangent, dome_.ahead);
-        const double level = dome_.reach * cda::dot(tangent, cda::cross(dome_.axis, dome_.ahead));
-        sum.volume = per_radian() * (cda::dot(w_ + dome_.radius * place.out, normal) +
-                                     level * degrees * trig::kRadiansPerDegree);
+        const Vec3 normal = place.sine * cross(tangent, dome_.axis) -
+                            (1.0 - place.cosine) * cross(tangent, dome_.ahead);
+        const double level = dome_.reach * dot(tangent, cross(dome_.axis, dome_.ahead));
+        sum.volume = per_radian() * (dot(w_ + dome_.radius * place.out, normal) +
+                                     level * degrees * kRadiansPerDegree);
         return sum;
     }
 
     // Returns the integral of w (w n), w from the apex: four times volume times centroid.
     Vec3 moment(const DomePlace& place) const {
         constexpr double kPiece = 45.0;
-        const Vec3 tangent = cda::cross(dome_.axis, place.out);
-        const double per_degree = trig::kRadiansPerDegree * per_radian();
+        const Vec3 tangent = cross(dome_.axis, place.out);
+        const double per_degree = kRadiansPerDegree * per_radian();
         Vec3 sum;
-        in_pieces(place.degrees(), kPiece, [&](double weight, const trig::SinCos& t) {
+        in_pieces(place.degrees(), kPiece, [&](double weight, const SinCos& t) {
             const Vec3 up = t.cos * dome_.ahead + t.sin * dome_.axis;
             const Vec3 along = t.cos * dome_.axis - t.sin * dome_.ahead;
             const Vec3 at = w_ + dome_.reach * up + dome_.radius * place.out;
-            sum = sum + (weight * per_degree * cda::dot(at, cda::cross(tangent, along))) * at;
+            sum = sum + (weight * per_degree * dot(at, cross(tangent, along))) * at;
         });
         return sum;
     }
@@ -78,11 +78,11 @@ public:
     // Returns the change of the circle's angle for a step on the surface; 0 where undefined, in the
     // corners of the half.
     double turn(const DomePlace& place, Vec3 step) const {
-        const Vec3 tangent = cda::cross(dome_.axis, place.out);
-        const Vec3 across_arc = cda::cross(place.along, cda::cross(tangent, place.along));
+        const Vec3 tangent = cross(dome_.axis, place.out);
+        const Vec3 across_arc = cross(place.along, cross(tangent, place.along));
         constexpr double kNowhere = 1e-12;
-        const double slope = cda::dot(tangent, across_arc);
-        return slope > kNowhere ? cda::dot(step, across_arc) / (dome_.radius * slope) : 0.0;
+        const double slope = dot(tangent, across_arc);
+        return slope > kNowhere ? dot(step, across_arc) / (dome_.radius * slope) : 0.0;
     }
 
 private:
@@ -93,17 +93,17 @@ private:
     static void in_pieces(double degrees, double piece, const Take& take) {
         const int pieces = static_cast<int>(std::abs(degrees) / piece) + 1;
         const double width = degrees / pieces;
-        std::array<trig::SinCos, kAbscissae.size()> nodes;
+        std::array<SinCos, kAbscissae.size()> nodes;
         for (std::size_t k = 0; k < kAbscissae.size(); ++k)
-            nodes[k] = trig::sin_cos(0.5 * kAbscissae[k] * width);
+            nodes[k] = sin_cos(0.5 * kAbscissae[k] * width);
         for (int i = 0; i < pieces; ++i) {
-            const auto middle = trig::sin_cos((i + 0.5) * width);
+            const auto middle = sin_cos((i + 0.5) * width);
             for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
                 for (const double sign : {-1.0, 1.0}) {
                     const double sine = sign * nodes[k].sin, cosine = nodes[k].cos;
                     take(0.5 * width * kWeights[k],
-                         trig::SinCos{middle.sin * cosine + middle.cos * sine,
-                                      middle.cos * cosine - middle.sin * sine});
+                         SinCos{middle.sin * cosine + middle.cos * sine,
+                                middle.cos * cosine - middle.sin * sine});
                 }
             }
         }
@@ -118,49 +118,47 @@ private:
 class CoilIntegrals {
 public:
     CoilIntegrals(const Coil& coil, Vec3 apex)
-        : coil_(coil), side_(cda::cross(coil.axis, coil.ahead)), w_(coil.centre - apex) {}
+        : coil_(coil), side_(cross(coil.axis, coil.ahead)), w_(coil.centre - apex) {}
 
     // Returns the same as for a dome. In the frame of the path, the normal is constant: lead times
     // the outward vector, minus the outward vector's component along the path times reach times the
     // axis.
     AreaAndVolume area_and_volume(const CoilPlace& place) const {
-        const double out = cda::dot(place.out, place.motion), lateral = across(place);
-        const double cosine = cda::dot(place.motion, side_),
-                     sine = -cda::dot(place.motion, coil_.ahead);
+        const double out = dot(place.out, place.motion), lateral = across(place);
+        const double cosine = dot(place.motion, side_), sine = -dot(place.motion, coil_.ahead);
         const Vec3 up = sine * coil_.ahead + (1.0 - cosine) * side_;
         const Vec3 tangent = sine * side_ - (1.0 - cosine) * coil_.ahead;
         const double even = coil_.lead * (coil_.radius - coil_.reach * lateral) -
-                            out * coil_.reach * cda::dot(w_, coil_.axis);
+                            out * coil_.reach * dot(w_, coil_.axis);
         const double turn = place.turn;
         const double steep = coil_.reach * out;
         return {coil_.radius * std::sqrt(coil_.lead * coil_.lead + steep * steep) *
                     (coil_.lead < 0.0 ? -turn : turn),
-                coil_.radius * (coil_.lead * cda::dot(w_, out * tangent - lateral * up) +
-                                even * turn - 0.5 * steep * coil_.lead * turn * turn)};
+                coil_.radius * (coil_.lead * dot(w_, out * tangent - lateral * up) + even * turn -
+                                0.5 * steep * coil_.lead * turn * turn)};
     }
 
     Vec3 moment(const CoilPlace& place) const {
         constexpr double kPiece = 90.0;
-        const double degrees = place.turn / trig::kRadiansPerDegree;
+        const double degrees = place.turn / kRadiansPerDegree;
         const int pieces = static_cast<int>(std::abs(degrees) / kPiece) + 1;
         const double width = degrees / pieces;
-        const double out = cda::dot(place.out, place.motion), lateral = across(place);
+        const double out = dot(place.out, place.motion), lateral = across(place);
         Vec3 sum;
         for (int i = 0; i < pieces; ++i) {
             for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
                 for (const double sign : {-1.0, 1.0}) {
                     const double at_degrees = (i + 0.5 + 0.5 * sign * kAbscissae[k]) * width;
-                    const auto t = trig::sin_cos(at_degrees);
+                    const auto t = sin_cos(at_degrees);
                     const Vec3 up = t.cos * coil_.ahead + t.sin * side_;
                     const Vec3 tangent = t.cos * side_ - t.sin * coil_.ahead;
                     const Vec3 outward = out * tangent - lateral * up;
-                    const Vec3 at =
-                        w_ + coil_.reach * up +
-                        (coil_.lead * at_degrees * trig::kRadiansPerDegree) * coil_.axis +
-                        coil_.radius * outward;
+                    const Vec3 at = w_ + coil_.reach * up +
+                                    (coil_.lead * at_degrees * kRadiansPerDegree) * coil_.axis +
+                                    coil_.radius * outward;
                     const Vec3 normal = coil_.lead * outward - (out * coil_.reach) * coil_.axis;
-                    sum = sum + (0.5 * width * trig::kRadiansPerDegree * kWeights[k] *
-                                 coil_.radius * cda::dot(at, normal)) *
+                    sum = sum + (0.5 * width * kRadiansPerDegree * kWeights[k] * coil_.radius *
+                                 dot(at, normal)) *
                                     at;
                 }
             }
@@ -170,15 +168,14 @@ public:
 
     // Returns the change of the circle's angle relative to the path for a step on the surface.
     double turn(const CoilPlace& place, Vec3 step) const {
-        const Vec3 tangent = cda::cross(coil_.axis, place.out);
-        const double along = cda::dot(step, coil_.axis) / coil_.lead;
-        return cda::dot(step - (along * coil_.reach) * place.motion, tangent) / coil_.radius -
-               along;
+        const Vec3 tangent = cross(coil_.axis, place.out);
+        const double along = dot(step, coil_.axis) / coil_.lead;
+        return dot(step - (along * coil_.reach) * place.motion, tangent) / coil_.radius - along;
     }
 
 private:
     double across(const CoilPlace& place) const {
-        return cda::dot(place.out, cda::cross(coil_.axis, place.motion));
+        return dot(place.out, cross(coil_.axis, place.motion));
     }
 
     Coil coil_;
@@ -194,7 +191,7 @@ public:
     // Returns the area and three times the volume, per radian of the path's angle.
     AreaAndVolume area_and_volume(const SpiralPlace& place) const {
         const double area = place.speed * place.height;
-        return {area, area * cda::dot(start_of(place), place.out)};
+        return {area, area * dot(start_of(place), place.out)};
     }
     Vec3 moment(const SpiralPlace& place) const {
         return area_and_volume(place).volume *
@@ -203,7 +200,7 @@ public:
 
     // Returns the change of the path's angle for a step on the surface.
     static double turn(const SpiralPlace& place, Vec3 step) {
-        return cda::dot(step, place.along) / place.speed;
+        return dot(step, place.along) / place.speed;
     }
 
 private:
@@ -247,7 +244,7 @@ public:
 
     // Returns the time of a step on the surface, with opposite sign.
     static double turn(const ClosestPoint& place, Vec3 step) {
-        return place.bend != 0.0 ? cda::dot(place.drift, step) / place.bend : 0.0;
+        return place.bend != 0.0 ? dot(place.drift, step) / place.bend : 0.0;
     }
 
 private:
@@ -265,25 +262,25 @@ private:
         const ToolFrame& tool;
         PathFrame at;
         double angle_of(Vec3 n) const {
-            const double degrees = trig::angle_of(cda::dot(n, at.up), cda::dot(n, at.side));
+            const double degrees = ncsim::angle_of(dot(n, at.up), dot(n, at.side));
             return degrees < 0.0 ? degrees + 360.0 : degrees;
         }
         CharacteristicPoint operator()(double degrees) const {
             if (fillet.centre_radius > 0.0 && tool.turn != Vec3{}) return turning(degrees);
-            const auto angle = trig::sin_cos(degrees);
+            const auto angle = sin_cos(degrees);
             const Vec3 n = angle.cos * at.up + angle.sin * at.side;
             const Vec3 on = angle.cos * at.side - angle.sin * at.up;
             Vec3 pace = fillet.radius * on;  // per radian
             Vec3 p = at.centre + fillet.radius * n;
             if (fillet.centre_radius > 0.0) {
                 const Vec3 axis = tool.axis;
-                const Vec3 level = n - cda::dot(n, axis) * axis;
-                const double length = cda::norm(level);
-                const Vec3 round = (1.0 / length) * cda::cross(axis, level);
-                pace = pace + (fillet.centre_radius * cda::dot(on, round) / length) * round;
+                const Vec3 level = n - dot(n, axis) * axis;
+                const double length = norm(level);
+                const Vec3 round = (1.0 / length) * cross(axis, level);
+                pace = pace + (fillet.centre_radius * dot(on, round) / length) * round;
                 p = p + (fillet.centre_radius / length) * level;
             }
-            return {p, closest_point_at(sweep, tool, p), trig::kRadiansPerDegree * cda::norm(pace)};
+            return {p, closest_point_at(sweep, tool, p), kRadiansPerDegree * norm(pace)};
         }
         // Returns the stroke for a tool that turns. The speed is the inverse of the angle by which
         // the normal turns per mm along the characteristic, seen along the path.
@@ -291,18 +288,18 @@ private:
             const Vec3 p = point_with_normal(sweep, tool, degrees);
             const ClosestPoint there = closest_point_at(sweep, tool, p);
             const Vec3 n = there.normal, axis = tool.axis;
-            const Vec3 along = cda::normalized(cda::cross(n, there.drift));
-            const Vec3 out = cda::normalized(n - cda::dot(n, axis) * axis);
-            const Vec3 round = cda::cross(axis, out), profile = cda::cross(round, n);
-            const double radial = cda::dot(n, out);
-            const Vec3 turn = (cda::dot(along, profile) / fillet.radius) * profile +
-                              (cda::dot(along, round) * radial /
-                               (fillet.centre_radius + fillet.radius * radial)) *
-                                  round;
-            const double up = cda::dot(n, at.up), side = cda::dot(n, at.side);
-            const double turn_rate = (up * cda::dot(turn, at.side) - side * cda::dot(turn, at.up)) /
-                                     (up * up + side * side);
-            return {p, there, trig::kRadiansPerDegree / std::abs(turn_rate)};
+            const Vec3 along = normalized(cross(n, there.drift));
+            const Vec3 out = normalized(n - dot(n, axis) * axis);
+            const Vec3 round = cross(axis, out), profile = cross(round, n);
+            const double radial = dot(n, out);
+            const Vec3 turn =
+                (dot(along, profile) / fillet.radius) * profile +
+                (dot(along, round) * radial / (fillet.centre_radius + fillet.radius * radial)) *
+                    round;
+            const double up = dot(n, at.up), side = dot(n, at.side);
+            const double turn_rate =
+                (up * dot(turn, at.side) - side * dot(turn, at.up)) / (up * up + side * side);
+            return {p, there, kRadiansPerDegree / std::abs(turn_rate)};
         }
     };
 
@@ -314,11 +311,10 @@ private:
         CharacteristicPoint operator()(double across) const {
             const Vec3 p = point_across(sweep, tool, across);
             const ClosestPoint at = closest_point_at(sweep, tool, p);
-            const Vec3 along = cda::cross(at.normal, at.drift);
-            const double rise = cda::dot(at.normal, tool.axis);
+            const Vec3 along = cross(at.normal, at.drift);
+            const double rise = dot(at.normal, tool.axis);
             const Vec3 profile = tool.axis - rise * at.normal;
-            return {p, at,
-                    cda::norm(along) * cda::norm(profile) / std::abs(cda::dot(along, profile))};
+            return {p, at, norm(along) * norm(profile) / std::abs(dot(along, profile))};
         }
     };
 
@@ -329,7 +325,7 @@ private:
         CharacteristicPoint operator()(double degrees) const {
             const Vec3 p = point_across(sweep, tool, degrees);
             return {p, closest_point_at(sweep, tool, p),
-                    trig::kRadiansPerDegree * sweep.fillet()->centre_radius};
+                    kRadiansPerDegree * sweep.fillet()->centre_radius};
         }
     };
 
@@ -363,10 +359,10 @@ private:
                 const CharacteristicPoint stroke =
                     on(from + 0.5 * (1.0 + sign * abscissae[k]) * width);
                 const ClosestPoint& there = stroke.closest;
-                const double ahead = there.bend / cda::norm(there.drift);
+                const double ahead = there.bend / norm(there.drift);
                 const double area = 0.5 * width * weights[k] * stroke.pace * ahead;
                 const Vec3 w = stroke.p - apex_;
-                const double volume = area * cda::dot(w, there.normal);
+                const double volume = area * dot(w, there.normal);
                 sum = plus(sum, {area, volume, volume * w});
             }
         }

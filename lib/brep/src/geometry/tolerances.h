@@ -3,13 +3,11 @@
 // Tolerances for directions and lengths of surfaces that meet.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <cmath>
 
 namespace ncsim::brep {
-
-using cda::Vec3;
 
 /// Largest gap at which surfaces count as tangent, mm. Programs round numbers, so lines and arcs
 /// that are meant to be tangent miss each other.
@@ -19,10 +17,10 @@ inline constexpr double kParallelAngle = 1e-5;  ///< rad
 inline constexpr double kLeastAxisDistance = 0.01;
 
 inline bool is_parallel(Vec3 a, Vec3 b) {
-    return cda::norm(cda::cross(a, b)) <= kParallelAngle;
+    return norm(cross(a, b)) <= kParallelAngle;
 }
 inline bool is_perpendicular(Vec3 a, Vec3 b) {
-    return std::abs(cda::dot(a, b)) <= kParallelAngle;
+    return std::abs(dot(a, b)) <= kParallelAngle;
 }
 /// True if two lengths are equal except for rounding in programs.
 inline bool is_near(double a, double b) {
@@ -31,7 +29,7 @@ inline bool is_near(double a, double b) {
 /// Returns the vector from the axis to `p`, perpendicular to the axis.
 inline Vec3 radial_vector(Vec3 origin, Vec3 axis, Vec3 p) {
     const Vec3 v = p - origin;
-    return v - cda::dot(v, axis) * axis;
+    return v - dot(v, axis) * axis;
 }
 
 }  // namespace ncsim::brep

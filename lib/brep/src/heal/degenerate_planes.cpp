@@ -21,7 +21,7 @@ std::vector<std::uint32_t> planes_of_no_size(const Part& part) {
             return std::ranges::all_of(loop, [&](const EdgeUse& use) {
                 const Edge& edge = part.edges[use.edge];
                 return std::holds_alternative<Line>(edge.curve) &&
-                       cda::norm(part.vertices[edge.to] - part.vertices[edge.from]) < kNoSize;
+                       norm(part.vertices[edge.to] - part.vertices[edge.from]) < kNoSize;
             });
         });
         if (are_short && std::holds_alternative<Plane>(face.surface.form)) found.push_back(f);
@@ -56,9 +56,9 @@ bool has_no_width(const Part& part, const Plane& plane, const Loop& loop,
         if (!std::holds_alternative<Line>(edge.curve)) return false;
         const Vec3 a = part.vertices[edge.from] - plane.origin;
         const Vec3 b = part.vertices[edge.to] - plane.origin;
-        const double turn = cda::dot(plane.normal, cda::cross(a, b));
+        const double turn = dot(plane.normal, cross(a, b));
         twice_area += use.is_forward ? turn : -turn;
-        perimeter += cda::norm(b - a);
+        perimeter += norm(b - a);
         widest = std::max({widest, width_of[edge.from], width_of[edge.to]});
     }
     return std::abs(twice_area) < corners * widest * perimeter;

@@ -19,11 +19,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-
 constexpr double kFine = 5e-8;  // mm
 
 // A point of a spline with the derivative by the parameter.

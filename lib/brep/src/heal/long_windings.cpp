@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/brep/long_windings.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/brep/frames.h"
-#include "ncsim/trig/angles.h"
 
 #include "geometry/tolerances.h"
 #include "query/part_check.h"
@@ -22,11 +22,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::normalized;
-using trig::kRadiansPerDegree;
-
 constexpr double kTurn = 360.0, kHalf = 180.0;  // degrees
 
 // The angle about the axis of a face, which goes on after a turn.
@@ -42,13 +37,13 @@ public:
     double angle(Vec3 p, double nearby) const {
         if (coil_) return project_onto(*coil_, p).turn / kRadiansPerDegree;
         const Vec3 v = p - cylinder_->origin;
-        const double at = trig::angle_of(dot(v, x_), dot(v, cross(cylinder_->axis, x_)));
+        const double at = angle_of(dot(v, x_), dot(v, cross(cylinder_->axis, x_)));
         return at + kTurn * std::round((nearby - at) / kTurn);
     }
 
     // Returns the curve of a coil at `degrees` from `a` to `b`.
     Curve across(double degrees, Vec3 a, Vec3 b) const {
-        const auto t = trig::sin_cos(degrees);
+        const auto t = sin_cos(degrees);
         const Vec3 side = cross(coil_->axis, coil_->ahead);
         const Vec3 centre = coil_->centre + coil_->reach * (t.cos * coil_->ahead + t.sin * side) +
                             (coil_->lead * degrees * kRadiansPerDegree) * coil_->axis;

@@ -19,10 +19,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-
 using Numbers = std::vector<std::uint32_t>;
 
 bool is_plane(const Face& face) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "heal/nonplanar_faces.h"
 
+#include "ncsim/base/disjoint_sets.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/brep/frames.h"
-#include "ncsim/cda/disjoint_sets.h"
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "geometry/no_index.h"
 #include "heal/non_simple_faces.h"
@@ -22,9 +23,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-using cda::cross;
-using cda::dot;
 
 std::uint32_t corner_before(const Part& part, const EdgeUse& use) {
     const Edge& edge = part.edges[use.edge];
@@ -75,7 +73,7 @@ std::optional<Plane> mean_plane(const Part& part, const Face& face) {
         }
     }
     if (dot(area, area) == 0.0) return std::nullopt;
-    return Plane{apex + (1.0 / count) * sum, cda::normalized(area)};
+    return Plane{apex + (1.0 / count) * sum, normalized(area)};
 }
 
 void set_plane(const Part& part, Face& face, const Plane& plane) {
@@ -147,7 +145,7 @@ private:
             only.vertices.push_back(part_.vertices[v]);
         only.faces.push_back(std::move(flat));
         only.shells = 1;
-        const cda::TriangleMesh mesh = cda::triangulate(only);
+        const TriangleMesh mesh = cda::triangulate(only);
         if (mesh.vertices.size() != corners.size()) return false;
         for (const auto& [a, b, c] : mesh.triangles)
             triangles_.push_back({corners[a], corners[b], corners[c]});
@@ -251,7 +249,7 @@ private:
     std::map<Ends, EdgeUse> uses_;
     std::vector<Triangle> triangles_;
     std::map<Ends, std::uint32_t> at_side_;  // the triangle that has it, there
-    std::optional<cda::DisjointSets> pieces_;
+    std::optional<DisjointSets> pieces_;
     std::set<Ends> is_used_;
 };
 

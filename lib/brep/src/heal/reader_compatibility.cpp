@@ -17,15 +17,13 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::dot;
-
 // Do its ends lie too far apart, seen along the line that the circle moves along? Where it goes
 // half around, nobody knows which way; and along shallow ramps, which are as flat across, readers
 // find places of edges roughly: those of long ones so much so that they draw nothing.
 bool is_too_wide(const Extrusion& extrusion, const Part& part, const Edge& edge) {
     const auto out = [&](std::uint32_t v) {
         const Vec3 p = part.vertices[v];
-        return cda::normalized(p - place_along(extrusion, p) * extrusion.along - extrusion.centre);
+        return normalized(p - place_along(extrusion, p) * extrusion.along - extrusion.centre);
     };
     constexpr double kOpposite = -0.9, kShallow = 0.1, kBeside = 0.8;
     const double widest =
@@ -38,8 +36,7 @@ bool is_too_wide(const Extrusion& extrusion, const Part& part, const Edge& edge)
 bool is_too_wide(const Envelope& envelope, const Part& part, const Edge& edge) {
     const auto ahead = [&](Vec3 p) {
         const ClosestPoint closest = project_onto(envelope, p);
-        return cda::normalized(
-            velocity_at(closest.tool, height_of_centre(*envelope.sweep, closest)));
+        return normalized(velocity_at(closest.tool, height_of_centre(*envelope.sweep, closest)));
     };
     constexpr double kWidest = 0.5;
     const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
@@ -53,14 +50,14 @@ bool is_too_wide(const Envelope& envelope, const Part& part, const Edge& edge) {
 bool passes_by_pole(const Sphere& sphere, const Frame& frame, const Part& part, const Edge& edge) {
     constexpr double kNear = 0.5, kQuarter = 0.0, kOne = 1e-9;
     const auto* circle = std::get_if<Circle>(&edge.curve);
-    if (circle && cda::norm(cda::cross(circle->axis, frame.axis)) < kOne) return false;
+    if (circle && norm(cross(circle->axis, frame.axis)) < kOne) return false;
     const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
     double nearest = 1.0, least = 1.0;  // of the radius; cosine of the angle around
     std::optional<Vec3> first;
     for (const double t : {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0}) {
         const Vec3 v = track.at(t) - sphere.centre;
         const Vec3 out = v - dot(v, frame.axis) * frame.axis;
-        const double radius = cda::norm(out);
+        const double radius = norm(out);
         nearest = std::min(nearest, radius / sphere.radius);
         // In a pole there is no direction.
         if (radius < 1e-6 * sphere.radius) continue;
@@ -114,7 +111,7 @@ std::map<std::uint32_t, std::vector<End>> ends_at_corners(const Part& part, cons
                 continue;
             const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
             const auto add = [&](std::uint32_t v, double t) {
-                ends[v].push_back({l, use.edge, cda::normalized(track.derivative(t))});
+                ends[v].push_back({l, use.edge, normalized(track.derivative(t))});
             };
             add(edge.from, 0.0);
             add(edge.to, 1.0);
@@ -132,7 +129,7 @@ void find_touching_ellipses(const Part& part, const Face& face, std::set<std::ui
             const bool touches = std::ranges::any_of(ends, [&](const End& straight) {
                 return straight.loop != round.loop &&
                        std::holds_alternative<Line>(part.edges[straight.edge].curve) &&
-                       cda::norm(cda::cross(straight.tangent, round.tangent)) < kAlong;
+                       norm(cross(straight.tangent, round.tangent)) < kAlong;
             });
             if (touches) found.insert(round.edge);
         }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "heal/short_edges.h"
 
+#include "ncsim/base/disjoint_sets.h"
 #include "ncsim/brep/frames.h"
-#include "ncsim/cda/disjoint_sets.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -61,7 +61,7 @@ bool collapse_short_edges(Part& part, const std::vector<std::uint32_t>& faces, d
         for (const Loop& loop : part.faces[f].loops) {
             for (const EdgeUse& use : loop) {
                 const Edge& edge = part.edges[use.edge];
-                const double length = cda::norm(part.vertices[edge.to] - part.vertices[edge.from]);
+                const double length = norm(part.vertices[edge.to] - part.vertices[edge.from]);
                 if (length < least_mm && is_flat[edge.from] && is_flat[edge.to])
                     low.emplace_back(length, use.edge);
             }
@@ -69,14 +69,14 @@ bool collapse_short_edges(Part& part, const std::vector<std::uint32_t>& faces, d
     }
     if (low.empty()) return false;
     std::sort(low.begin(), low.end());
-    cda::DisjointSets same(part.vertices.size());
+    DisjointSets same(part.vertices.size());
     // Of the first one of each set: how far the others are away from it, at most.
     std::vector<double> radius(part.vertices.size(), 0.0);
     bool any = false;
     for (const auto& [length, e] : low) {
         const std::uint32_t a = same.find(part.edges[e].from), b = same.find(part.edges[e].to);
         if (a == b) continue;
-        const double separation = cda::norm(part.vertices[b] - part.vertices[a]);
+        const double separation = norm(part.vertices[b] - part.vertices[a]);
         const double by_a = std::max(radius[a], separation + radius[b]);
         const double by_b = std::max(radius[b], separation + radius[a]);
         if (std::min(by_a, by_b) > 2.0 * least_mm) continue;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "heal/tangent_holes.h"
 
+#include "ncsim/base/angles.h"
+#include "ncsim/base/vec2.h"
 #include "ncsim/brep/frames.h"
-#include "ncsim/trig/angles.h"
 
 #include "heal/non_simple_faces.h"
 #include "topology/angular_extent.h"
@@ -22,12 +23,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-using trig::kRadiansPerDegree;
 
 std::uint32_t start_of(const Part& part, const EdgeUse& use) {
     const Edge& edge = part.edges[use.edge];
@@ -105,10 +100,6 @@ std::optional<TangentHole> find_tangent_hole(const Part& part, const Face& face)
     return std::nullopt;
 }
 
-struct FlatPosition {
-    double x, y;
-};
-
 // A plane as readers see it, from above: its loops as points, the corners of edges among them.
 class Drawing {
 public:
@@ -124,7 +115,7 @@ public:
     bool is_clear(Vec3 from, Vec3 to) const {
         constexpr double kNear = 1e-2;  // mm
         constexpr int kSamples = 16;
-        const FlatPosition a = project(from), b = project(to);
+        const Vec2 a = project(from), b = project(to);
         const double length = norm(to - from);
         for (int i = 1; i < kSamples; ++i) {
             const double t = static_cast<double>(i) / kSamples;
@@ -132,8 +123,8 @@ public:
         }
         for (const auto& loop : loops_) {
             for (std::size_t i = 0; i < loop.size(); ++i) {
-                const FlatPosition p = seen(a, b, length, loop[i]);
-                const FlatPosition q = seen(a, b, length, loop[(i + 1) % loop.size()]);
+                const Vec2 p = seen(a, b, length, loop[i]);
+                const Vec2 q = seen(a, b, length, loop[(i + 1) % loop.size()]);
                 if (!is_end(p, length) && p.x > -kNear && p.x < length + kNear &&
                     std::abs(p.y) < kNear)
                     return false;
@@ -146,27 +137,27 @@ public:
     }
 
 private:
-    FlatPosition project(Vec3 p) const {
+    Vec2 project(Vec3 p) const {
         const Vec3 v = p - face_.frame.origin;
         return {dot(v, face_.frame.x), dot(v, cross(face_.frame.axis, face_.frame.x))};
     }
 
     // Along the line from its start, and to the left of it.
-    static FlatPosition seen(FlatPosition a, FlatPosition b, double length, FlatPosition p) {
+    static Vec2 seen(Vec2 a, Vec2 b, double length, Vec2 p) {
         const double x = (b.x - a.x) / length, y = (b.y - a.y) / length;
         return {(p.x - a.x) * x + (p.y - a.y) * y, (p.y - a.y) * x - (p.x - a.x) * y};
     }
 
-    static bool is_end(FlatPosition p, double length) {
+    static bool is_end(Vec2 p, double length) {
         constexpr double kOne = 1e-6;
         return std::abs(p.y) < kOne && (std::abs(p.x) < kOne || std::abs(p.x - length) < kOne);
     }
 
-    bool has_inside(FlatPosition at) const {
+    bool has_inside(Vec2 at) const {
         bool is_inside = false;
         for (const auto& loop : loops_) {
             for (std::size_t i = 0; i < loop.size(); ++i) {
-                const FlatPosition p = loop[i], q = loop[(i + 1) % loop.size()];
+                const Vec2 p = loop[i], q = loop[(i + 1) % loop.size()];
                 if ((p.y > at.y) == (q.y > at.y)) continue;
                 if (at.x < p.x + (q.x - p.x) * (at.y - p.y) / (q.y - p.y)) is_inside = !is_inside;
             }
@@ -175,7 +166,7 @@ private:
     }
 
     const Face& face_;
-    std::vector<std::vector<FlatPosition>> loops_;
+    std::vector<std::vector<Vec2>> loops_;
 };
 
 // Where a line may end on a loop.
@@ -368,7 +359,7 @@ std::optional<ConeCut> cone_cut_of(const Part& part, const Face& face) {
             if (!halves) continue;
             const Vec3 out = halves->middle - cone.apex;
             constexpr double kTurn = 360.0, kNearCorner = 0.02;
-            double share = trig::angle_of(dot(out, start), dot(out, side)) / kTurn;
+            double share = angle_of(dot(out, start), dot(out, side)) / kTurn;
             if (share < 0.0) share += 1.0;
             if (share < kNearCorner || share > 1.0 - kNearCorner) continue;
             const Vec3 at = track.at(share);

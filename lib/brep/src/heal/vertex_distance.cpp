@@ -39,7 +39,7 @@ Numbers common(const Numbers& a, const Numbers& b) {
 }
 
 double length_of(const Part& part, const Edge& edge) {
-    return cda::norm(part.vertices[edge.to] - part.vertices[edge.from]);
+    return norm(part.vertices[edge.to] - part.vertices[edge.from]);
 }
 
 // Makes points of edges, where that changes nothing but lengths (the link condition: Dey,

@@ -3,7 +3,7 @@
 // Crossings of circles and lines that share a corner.
 #include "query/arc_crossings.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "geometry/arc_ends.h"
 #include "geometry/tolerances.h"
@@ -17,10 +17,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
 
 // Distance within which readers take a crossing for the corner, mm.
 constexpr double kInCorner = 1e-6;
@@ -44,8 +40,7 @@ bool is_inside(const PlaneEdge& e, Vec3 p) {
     const Vec3 x = radial_vector(e.circle->centre, e.circle->axis, e.from),
                y = cross(e.circle->axis, x);
     const auto angle = [&](Vec3 q) {
-        const double degrees =
-            trig::angle_of(dot(q - e.circle->centre, x), dot(q - e.circle->centre, y));
+        const double degrees = angle_of(dot(q - e.circle->centre, x), dot(q - e.circle->centre, y));
         return degrees < 0.0 ? degrees + 360.0 : degrees;
     };
     return angle(p) < angle(e.to);

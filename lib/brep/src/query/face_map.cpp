@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "query/face_map.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "geometry/tolerances.h"
 #include "topology/angular_extent.h"
@@ -12,15 +12,9 @@
 
 namespace ncsim::brep {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-using trig::kRadiansPerDegree;
-
 namespace {
 
-MapPoint point_of(const Sweep& sweep, const ClosestPoint& place) {
+Vec2 point_of(const Sweep& sweep, const ClosestPoint& place) {
     const double across = place_across(sweep, place.tool, place.foot);
     const Fillet* fillet = sweep.fillet();
     const double scale =
@@ -28,7 +22,7 @@ MapPoint point_of(const Sweep& sweep, const ClosestPoint& place) {
     return {scale * across, sweep.length_mm() * place.t};
 }
 
-MapPoint out(const Local& p, double radius) {
+Vec2 out(const Local& p, double radius) {
     return {radius * p.x / p.radius, radius * p.y / p.radius};
 }
 
@@ -81,13 +75,13 @@ FaceMap::Place FaceMap::place(Vec3 p, ProjectionSeed& seed) const {
     return {point_of(*envelope->sweep, closest), closest.deviation};
 }
 
-MapPoint FaceMap::operator()(Vec3 at) const {
+Vec2 FaceMap::operator()(Vec3 at) const {
     // Angles count from the middle of the half of the circle, which turns with the path.
     if (const auto* c = std::get_if<Coil>(form_)) {
         const CoilPlace place = project_onto(*c, at);
         const double x = ahead_ * dot(place.out, place.motion);
         const double y = ahead_ * dot(place.out, cross(c->axis, place.motion));
-        return {c->radius * trig::angle_of(x, y) * kRadiansPerDegree, c->reach * place.turn};
+        return {c->radius * angle_of(x, y) * kRadiansPerDegree, c->reach * place.turn};
     }
     if (const auto* s = std::get_if<Spiral>(form_)) {
         const SpiralPlace place = project_onto(*s, at);
@@ -98,7 +92,7 @@ MapPoint FaceMap::operator()(Vec3 at) const {
     const Local p = local(at);
     if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))
         return {p.x, p.y};
-    if (is_straight_up()) return faces_one_way_ ? MapPoint{p.y, p.z} : out(p, p.z - low_);
+    if (is_straight_up()) return faces_one_way_ ? Vec2{p.y, p.z} : out(p, p.z - low_);
     if (const auto* s = std::get_if<Sphere>(form_)) {
         const double scale = 2.0 * s->radius / std::max(1e-9 * s->radius, s->radius + p.z);
         return {scale * p.x, scale * p.y};
@@ -106,7 +100,7 @@ MapPoint FaceMap::operator()(Vec3 at) const {
     const auto& t = std::get<Torus>(*form_);
     const double angle = degrees_from(cut_, t, p) * kRadiansPerDegree;
     if (!is_spindle(t)) return out(p, t.minor * (1.0 + angle));
-    return p.radius > 0.0 ? out(p, t.minor * angle) : MapPoint{0.0, 0.0};
+    return p.radius > 0.0 ? out(p, t.minor * angle) : Vec2{0.0, 0.0};
 }
 
 std::optional<FaceMap::Round> FaceMap::round_of(const WholeCircle& circle) const {
@@ -124,7 +118,7 @@ std::optional<FaceMap::Round> FaceMap::round_of(const WholeCircle& circle) const
     return Round{{0.0, 0.0}, radius, deviation};
 }
 
-bool FaceMap::is_of_other_half(MapPoint at, double tolerance_mm) const {
+bool FaceMap::is_of_other_half(Vec2 at, double tolerance_mm) const {
     constexpr double kQuarter = 90.0 * kRadiansPerDegree;
     const auto* coil = std::get_if<Coil>(form_);
     return coil && std::abs(at.x) > kQuarter * coil->radius + tolerance_mm;

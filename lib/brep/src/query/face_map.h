@@ -6,6 +6,7 @@
 // angles as lengths; envelopes by the place across the path and the time. mm, frame W.
 #pragma once
 
+#include "ncsim/base/vec2.h"
 #include "ncsim/brep/part.h"
 
 #include "topology/axes.h"
@@ -16,11 +17,6 @@
 
 namespace ncsim::brep {
 
-/// Point of a map, mm.
-struct MapPoint {
-    double x, y;
-};
-
 /// Map of the surface of a face.
 class FaceMap {
 public:
@@ -29,15 +25,15 @@ public:
 
     /// Position on the map, and distance from the form, mm.
     struct Place {
-        MapPoint at;
+        Vec2 at;
         double deviation;
     };
     Place place(Vec3 p, ProjectionSeed& seed) const;
-    MapPoint operator()(Vec3 at) const;
+    Vec2 operator()(Vec3 at) const;
 
     /// A circle on the map, and a bound of the distance of its points from the form, mm.
     struct Round {
-        MapPoint centre;
+        Vec2 centre;
         double radius, deviation;
     };
     /// Returns what a whole circle is on the map, if that is a circle: any circle of a plane,
@@ -46,7 +42,7 @@ public:
 
     bool is_cone() const { return std::holds_alternative<Cone>(*form_); }
     /// True if `at` is on the half of a coil's circle that leaves no surface there.
-    bool is_of_other_half(MapPoint at, double tolerance_mm) const;
+    bool is_of_other_half(Vec2 at, double tolerance_mm) const;
     /// True if straight lines are straight on the map.
     bool keeps_lines() const;
 

@@ -3,9 +3,9 @@
 // Recognition of features by the faces around cylinders and planes.
 #include "ncsim/brep/features.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/brep/frames.h"
 #include "ncsim/brep/measure.h"
-#include "ncsim/trig/angles.h"
 
 #include "geometry/no_index.h"
 #include "topology/angular_extent.h"
@@ -24,11 +24,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-
 // Rounding error of directions, and of lengths in mm.
 constexpr double kAligned = 1e-9, kSame = 1e-6;
 
@@ -46,7 +41,7 @@ struct Span {
 };
 
 // True if the segment from `a` to `b` passes through the triangle.
-bool pierces(Vec3 a, Vec3 b, const cda::Corners& t) {
+bool pierces(Vec3 a, Vec3 b, const TriangleCorners& t) {
     const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
     const double before = dot(n, a - t[0]), behind = dot(n, b - t[0]);
     if ((before > 0.0) == (behind > 0.0)) return false;
@@ -60,7 +55,7 @@ bool pierces(Vec3 a, Vec3 b, const cda::Corners& t) {
 
 class Measurer {
 public:
-    Measurer(const Part& part, const cda::TriangleTree& between)
+    Measurer(const Part& part, const TriangleTree& between)
         : part_(part), between_(between), beside_(part.edges.size(), {kNone, kNone}) {
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
             for (const Loop& loop : part.faces[f].loops) {
@@ -345,8 +340,7 @@ private:
         }
         if (chamfer.width < kSame || chamfer.height < kSame) return std::nullopt;
         const Vec3 own = outward(face.surface, level.at);
-        chamfer.angle_degrees =
-            trig::angle_of(dot(own, level.normal), norm(cross(own, level.normal)));
+        chamfer.angle_degrees = angle_of(dot(own, level.normal), norm(cross(own, level.normal)));
         chamfer.length = std::max(level.length, upright.length);
         chamfer.at = level.at;
         return chamfer;
@@ -519,7 +513,7 @@ private:
                 const Vec3 p = points[i], q = points[(i + 1) % points.size()];
                 const double a = dot(p, d.u) - x, b = dot(p, d.v) - y;
                 const double c = dot(q, d.u) - x, e = dot(q, d.v) - y;
-                turn += trig::angle_of(a * c + b * e, a * e - b * c);
+                turn += angle_of(a * c + b * e, a * e - b * c);
             }
         }
         return std::abs(turn) > 180.0;
@@ -534,16 +528,16 @@ private:
         const Vec3 step = (kOff / length) * (to - from);
         const Vec3 a = from + step, b = to - step;
         bool clear = true;
-        between_.visit([&](const cda::Box& box) { return clear && cda::meets_segment(box, a, b); },
+        between_.visit([&](const Box& box) { return clear && meets_segment(box, a, b); },
                        [&](std::uint32_t t) {
-                           if (clear && pierces(a, b, cda::corners_of(between_.mesh(), t)))
+                           if (clear && pierces(a, b, corners_of(between_.mesh(), t)))
                                clear = false;
                        });
         return clear;
     }
 
     const Part& part_;
-    const cda::TriangleTree& between_;
+    const TriangleTree& between_;
     // Faces on both sides of each edge: forward, backward.
     std::vector<std::array<std::uint32_t, 2>> beside_;
     std::vector<std::uint32_t> planes_;
@@ -565,7 +559,7 @@ std::string_view name_of(BoreEnd end) {
     return "other";
 }
 
-Features features_of(const Part& part, const cda::TriangleTree& between) {
+Features features_of(const Part& part, const TriangleTree& between) {
     return Measurer(part, between)();
 }
 

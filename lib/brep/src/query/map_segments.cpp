@@ -10,11 +10,11 @@ namespace ncsim::brep {
 
 namespace {
 
-double turn(MapPoint a, MapPoint b, MapPoint c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+double turn(Vec2 a, Vec2 b, Vec2 c) {
+    return cross(b - a, c - a);
 }
 
-double squared_distance(MapPoint p, const MapSegment& s) {
+double squared_distance(Vec2 p, const MapSegment& s) {
     const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y;
     const double length = dx * dx + dy * dy;
     double t = length > 0.0 ? ((p.x - s.a.x) * dx + (p.y - s.a.y) * dy) / length : 0.0;
@@ -37,8 +37,8 @@ bool interfere(const MapSegment& s, const MapSegment& t, double clear) {
     const bool tails = s.to == t.to;
     if (joined || joined_back || heads || tails) {
         if (joined && joined_back) return false;
-        const MapPoint& s_far = joined || tails ? s.a : s.b;
-        const MapPoint& t_far = joined || heads ? t.b : t.a;
+        const Vec2& s_far = joined || tails ? s.a : s.b;
+        const Vec2& t_far = joined || heads ? t.b : t.a;
         return squared_distance(s_far, t) < near || squared_distance(t_far, s) < near;
     }
     return cross_each_other(s, t) || squared_distance(s.a, t) < near ||
@@ -56,7 +56,7 @@ double segment_distance(const MapSegment& s, const MapSegment& t) {
 // distance.
 std::array<MapSegment, 2> halves_of(const FaceMap& map, const MapSegment& s) {
     const double middle = 0.5 * (s.begin + s.end);
-    const MapPoint p = map(s.track->at(middle));
+    const Vec2 p = map(s.track->at(middle));
     MapSegment first = s, second = s;
     first.b = second.a = p;
     first.end = second.begin = middle;
@@ -213,7 +213,7 @@ private:
     std::vector<std::size_t> first_;  // For each strip: first member after `i`.
 };
 
-double distance_of(MapPoint p, MapPoint q) {
+double distance_of(Vec2 p, Vec2 q) {
     return std::sqrt((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y));
 }
 

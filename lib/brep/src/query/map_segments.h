@@ -19,7 +19,7 @@ namespace ncsim::brep {
 
 /// A piece of an edge on the map: a chord, and how far the curve is from the chord.
 struct MapSegment {
-    MapPoint a, b;
+    Vec2 a, b;
     std::uint64_t from, to;  ///< Names of the ends; adjacent segments have a common name.
     const Track* track;      ///< Edge of which the segment is a chord, between `begin` and `end`.
     double begin, end;

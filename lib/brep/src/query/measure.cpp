@@ -3,7 +3,7 @@
 // Areas, volumes and first moments of faces, as integrals along the edges.
 #include "ncsim/brep/measure.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "geometry/swept_integrals.h"
 #include "topology/axes.h"
@@ -18,13 +18,7 @@
 
 namespace ncsim::brep {
 
-using trig::kRadiansPerDegree;
-
 namespace {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
 
 template <std::size_t N, typename F>
 void integrate_piece(const Track& track, double begin, double width,
@@ -123,7 +117,7 @@ struct SphereIntegrals {
     AreaAndVolume operator()(const Local& p) const {
         if (p.radius <= 0.0) return {};
         const double s = p.z / radius, c = p.radius / radius;
-        const double angle = trig::angle_of(c, s) * kRadiansPerDegree;
+        const double angle = angle_of(c, s) * kRadiansPerDegree;
         const double side = (w.x * p.x + w.y * p.y) / p.radius;
         const double half_pi = pole * 0.5 * std::numbers::pi;
         const double r2 = radius * radius;
@@ -149,7 +143,7 @@ struct TorusIntegrals {
         const AreaAndVolume all =
             area_and_volume(degrees * kRadiansPerDegree, p.z / length, out / length, a);
         if (!is_spindle(surface)) return all;
-        const auto tip = trig::sin_cos(cut);
+        const auto tip = sin_cos(cut);
         const AreaAndVolume before = area_and_volume(cut * kRadiansPerDegree, tip.sin, tip.cos, a);
         return {all.area - before.area, all.volume - before.volume};
     }
@@ -478,7 +472,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
         }));
     }
     const auto round = [](double major, double minor, double degrees) {
-        const auto t = trig::sin_cos(degrees);
+        const auto t = sin_cos(degrees);
         const double radius = major + minor * t.cos;
         return Profile{radius, minor * t.sin, t.cos, t.sin, minor * radius * kRadiansPerDegree};
     };
@@ -487,7 +481,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
         const double turns = turns_about(part, face, axes);
         const double pole = (turns < -0.5) != face.surface.is_hollow ? -1.0 : 1.0;
         return quarter(edge_moment(part, face, axes, [&](const Local& p) {
-            const double to = trig::angle_of(p.radius, p.z);
+            const double to = angle_of(p.radius, p.z);
             return surface_moment(axes, apex, p, 0.5 * pole * kHalfTurn, to, 2,
                                   [&](double angle) { return round(0.0, f->radius, angle); });
         }));

@@ -24,11 +24,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-
 // True if a chord passes so near to the apex of a cone, and is off the cone by more than rounding
 // in programs, that the side of the apex is undetermined; or if the chord passes the axis.
 bool passes_near_apex(const Form& form, Vec3 from, Vec3 to) {
@@ -182,7 +177,7 @@ private:
             !(norm(track.at(0.0) - part_.vertices[edge.from]) <= tolerance_))
             report("a curve misses its end");
         Vec3 last = part_.vertices[begin];
-        MapPoint last_place = map_(last);
+        Vec2 last_place = map_(last);
         ProjectionSeed seed;
         std::uint64_t last_name = begin;
         double last_at = 0.0;
@@ -225,9 +220,9 @@ private:
     // Returns twice the area on the map inside the last loop, from its first segment on.
     double twice_area(std::size_t first) const {
         double sum = 0.0;
-        const MapPoint from = segments_[first].a;
+        const Vec2 from = segments_[first].a;
         for (std::size_t i = first; i < segments_.size(); ++i) {
-            const MapPoint a = segments_[i].a, b = segments_[i].b;
+            const Vec2 a = segments_[i].a, b = segments_[i].b;
             sum += (a.x - from.x) * (b.y - from.y) - (a.y - from.y) * (b.x - from.x);
         }
         return sum;

@@ -21,10 +21,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-
 // Chord of 60°.
 constexpr double kMaxNormalTurn = 1.0;
 // Factor of the error: corners where coarse hulls meet lie farther out than corners of solids. The

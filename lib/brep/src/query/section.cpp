@@ -6,7 +6,8 @@
 // is the start of a piece and the end of a piece.
 #include "ncsim/brep/section.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
+#include "ncsim/base/number_text.h"
 
 #include "geometry/cut_walk.h"
 #include "geometry/no_index.h"
@@ -14,8 +15,6 @@
 #include "topology/crossings.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -23,12 +22,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-using trig::kRadiansPerDegree;
 
 // Distance within which a point counts as in the plane, mm.
 constexpr double kInPlane = 1e-6;
@@ -39,23 +32,13 @@ constexpr double kNoLength = 1e-6;
 
 struct Sheet {
     Vec3 u, v, normal;
-    FlatPoint operator()(Vec3 p) const { return {dot(u, p), dot(v, p)}; }
+    Vec2 operator()(Vec3 p) const { return {dot(u, p), dot(v, p)}; }
 };
 
 Sheet sheet_of(int axis) {
     if (axis == 0) return {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
     if (axis == 1) return {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
     return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-}
-
-FlatPoint minus(FlatPoint a, FlatPoint b) {
-    return {a.u - b.u, a.v - b.v};
-}
-double across_of(FlatPoint a, FlatPoint b) {
-    return a.u * b.v - a.v * b.u;
-}
-double length_of(FlatPoint a) {
-    return std::sqrt(a.u * a.u + a.v * a.v);
 }
 
 // Returns the angle passed from `from` to `to`, degrees in (0, 360].
@@ -76,28 +59,26 @@ struct ExtentOf {
     const SectionPiece* piece;
 
     Extent operator()(const FlatLine&) const {
-        const FlatPoint d = minus(piece->to, piece->from);
-        return {0.5 * across_of(piece->from, piece->to), length_of(d)};
+        const Vec2 d = piece->to - piece->from;
+        return {0.5 * cross(piece->from, piece->to), norm(d)};
     }
     Extent operator()(const FlatArc& c) const {
-        const auto angle = [&](FlatPoint p) {
-            const FlatPoint d = minus(p, c.centre);
-            return trig::angle_of(d.u, d.v);
+        const auto angle = [&](Vec2 p) {
+            const Vec2 d = p - c.centre;
+            return angle_of(d.x, d.y);
         };
         const double turn =
             turn_of(angle(piece->from), angle(piece->to), c.is_ccw) * kRadiansPerDegree;
         const double sector = 0.5 * c.radius * c.radius * turn;
-        return {0.5 * across_of(c.centre, minus(piece->to, piece->from)) +
-                    (c.is_ccw ? sector : -sector),
+        return {0.5 * cross(c.centre, piece->to - piece->from) + (c.is_ccw ? sector : -sector),
                 c.radius * turn};
     }
     Extent operator()(const FlatEllipse& e) const {
-        const double major = length_of(e.major);
-        const FlatPoint x{e.major.u / major, e.major.v / major};
-        const auto angle = [&](FlatPoint p) {
-            const FlatPoint d = minus(p, e.centre);
-            return trig::angle_of((d.u * x.u + d.v * x.v) / major,
-                                  across_of(x, d) / e.minor_radius);
+        const double major = norm(e.major);
+        const Vec2 x{e.major.x / major, e.major.y / major};
+        const auto angle = [&](Vec2 p) {
+            const Vec2 d = p - e.centre;
+            return angle_of((d.x * x.x + d.y * x.y) / major, cross(x, d) / e.minor_radius);
         };
         const double start = angle(piece->from);
         const double turn = turn_of(start, angle(piece->to), e.is_ccw);
@@ -107,23 +88,22 @@ struct ExtentOf {
         double length = 0.0;
         for (int i = 0; i < kSteps; ++i) {
             const double middle = (e.is_ccw ? turn : -turn) * (i + 0.5) / kSteps;
-            const auto t = trig::sin_cos(start + middle);
+            const auto t = sin_cos(start + middle);
             const double du = major * t.sin, dv = e.minor_radius * t.cos;
             length += std::sqrt(du * du + dv * dv) * turn * kRadiansPerDegree / kSteps;
         }
-        return {0.5 * across_of(e.centre, minus(piece->to, piece->from)) +
-                    (e.is_ccw ? sector : -sector),
+        return {0.5 * cross(e.centre, piece->to - piece->from) + (e.is_ccw ? sector : -sector),
                 length};
     }
     Extent operator()(const FlatChords& c) const {
         Extent sum;
-        FlatPoint last = piece->from;
-        const auto go = [&](FlatPoint p) {
-            sum.area += 0.5 * across_of(last, p);
-            sum.length += length_of(minus(p, last));
+        Vec2 last = piece->from;
+        const auto go = [&](Vec2 p) {
+            sum.area += 0.5 * cross(last, p);
+            sum.length += norm(p - last);
             last = p;
         };
-        for (const FlatPoint& p : c.between)
+        for (const Vec2& p : c.between)
             go(p);
         go(piece->to);
         return sum;
@@ -440,7 +420,7 @@ private:
         if (!f) return std::nullopt;
         const Vec3 out = normalized(q - f->centre);
         const Vec3 x = any_perpendicular(out);
-        const auto angle = trig::sin_cos(180.0 * (turn + 0.129) / 16.0);
+        const auto angle = sin_cos(180.0 * (turn + 0.129) / 16.0);
         return normalized(angle.cos * x + angle.sin * cross(out, x));
     }
 
@@ -489,7 +469,7 @@ private:
                 piece.curve = FlatArc{sheet_(b->centre), x, is_ccw};
             } else {
                 const bool wide = x > y;
-                piece.curve = FlatEllipse{sheet_(b->centre), minus(sheet_(wide ? b->x : b->y), {}),
+                piece.curve = FlatEllipse{sheet_(b->centre), sheet_(wide ? b->x : b->y) - Vec2{},
                                           wide ? y : x, is_ccw};
             }
             return true;
@@ -510,11 +490,11 @@ private:
                 double sign, double a, double b, int depth) const {
         const auto at = [&](double t) { return sheet_(exact.at(branch, from + sign * t)); };
         const double middle = 0.5 * (a + b);
-        const FlatPoint p = at(a), q = at(b), m = at(middle);
-        const FlatPoint chord = minus(q, p);
-        const double length = length_of(chord);
-        const double deviation = length > 0.0 ? std::abs(across_of(chord, minus(m, p))) / length
-                                              : length_of(minus(m, p));
+        const Vec2 p = at(a), q = at(b), m = at(middle);
+        const Vec2 chord = q - p;
+        const double length = norm(chord);
+        const double deviation =
+            length > 0.0 ? std::abs(cross(chord, m - p)) / length : norm(m - p);
         // The curve may bulge more between a and b than in the middle.
         constexpr int kDeepest = 12;
         if (deviation <= 0.5 * kChordsMm || depth == kDeepest) return;
@@ -528,8 +508,8 @@ private:
         section_.length_mm += extent.length;
         // Sine of the angle between surface and plane: if the surface is off by d, the cut is off
         // by d / sine.
-        const auto sine = [&](FlatPoint p) {
-            Vec3 at = p.u * sheet_.u + p.v * sheet_.v + plane_.offset * plane_.normal;
+        const auto sine = [&](Vec2 p) {
+            Vec3 at = p.x * sheet_.u + p.y * sheet_.v + plane_.offset * plane_.normal;
             constexpr double kLeastStep = 0.02;
             return std::max(kLeastStep, norm(ahead(face, at)));
         };
@@ -598,7 +578,7 @@ private:
                 continue;
             }
             a.to = b.to;
-            const bool is_gone = length_of(minus(a.to, a.from)) <= kNoLength;
+            const bool is_gone = norm(a.to - a.from) <= kNoLength;
             if (is_gone) outline[(i + outline.size() - 1) % outline.size()].to = a.to;
             // The later piece is erased first.
             const std::size_t later = std::max(i, next), sooner = std::min(i, next);
@@ -612,9 +592,9 @@ private:
         if (!std::holds_alternative<FlatLine>(a.curve) ||
             !std::holds_alternative<FlatLine>(b.curve))
             return false;
-        const FlatPoint d = minus(a.to, a.from), e = minus(b.to, b.from);
-        return std::abs(across_of(d, e)) <= kNoLength * std::max(length_of(d), length_of(e)) &&
-               d.u * e.u + d.v * e.v < 0.0;
+        const Vec2 d = a.to - a.from, e = b.to - b.from;
+        return std::abs(cross(d, e)) <= kNoLength * std::max(norm(d), norm(e)) &&
+               d.x * e.x + d.y * e.y < 0.0;
     }
 
     // Joins adjacent pieces of the same line or circle with the same origin.
@@ -639,14 +619,14 @@ private:
         if (a.origin != b.origin || a.is_facet != b.is_facet) return false;
         if (std::holds_alternative<FlatLine>(a.curve) &&
             std::holds_alternative<FlatLine>(b.curve)) {
-            const FlatPoint d = minus(a.to, a.from), e = minus(b.to, b.from);
-            return std::abs(across_of(d, e)) <= kSameCurve * std::max(length_of(d), length_of(e)) &&
-                   d.u * e.u + d.v * e.v > 0.0;
+            const Vec2 d = a.to - a.from, e = b.to - b.from;
+            return std::abs(cross(d, e)) <= kSameCurve * std::max(norm(d), norm(e)) &&
+                   d.x * e.x + d.y * e.y > 0.0;
         }
         const auto* c = std::get_if<FlatArc>(&a.curve);
         const auto* d = std::get_if<FlatArc>(&b.curve);
         return c && d && std::abs(c->radius - d->radius) <= kSameCurve &&
-               length_of(minus(c->centre, d->centre)) <= kSameCurve && c->is_ccw == d->is_ccw;
+               norm(c->centre - d->centre) <= kSameCurve && c->is_ccw == d->is_ccw;
     }
 
     const Part& part_;
@@ -668,19 +648,14 @@ std::optional<SectionPlane> parse_section_plane(std::string_view text) {
     const std::size_t axis = kAxes.find(static_cast<char>(text[0] | 0x20));
     if (axis == std::string_view::npos) return std::nullopt;
     text.remove_prefix(2);
-    SectionPlane plane{static_cast<int>(axis), 0.0};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), plane.at);
+    const auto at = number_in<double>(text);
     constexpr double kFar = 1e6;  // mm; no program reaches this
-    if (error != std::errc{} || end != text.data() + text.size() || !(std::abs(plane.at) < kFar))
-        return std::nullopt;
-    return plane;
+    if (!at || !(std::abs(*at) < kFar)) return std::nullopt;
+    return SectionPlane{static_cast<int>(axis), *at};
 }
 
 std::string name_of(const SectionPlane& plane) {
-    std::array<char, 32> digits{};
-    auto* const end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), plane.at + 0.0).ptr;
-    return std::string(1, "xyz"[plane.axis]) + '=' + std::string(digits.data(), end);
+    return std::string(1, "xyz"[plane.axis]) + '=' + shortest(plane.at + 0.0);
 }
 
 std::optional<Section> section_of(const Part& part, const SectionPlane& plane) {

@@ -2,7 +2,7 @@
 //
 // Where facets are larger than what is between corners, the polyhedron has these in another order,
 // or one for two: chains that go between other faces than in the polyhedron.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "geometry/contact.h"
 #include "geometry/envelope_contact.h"
@@ -25,10 +25,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-
 // So many chains, one after the other, are between other faces than in the polyhedron.
 constexpr int kMostFlips = 3;
 // A corner of an edge that only goes on there.
@@ -42,8 +38,8 @@ Vec3 Chains::direction_of(std::uint32_t h) const {
     const Vec3 p = mesh_.point(mesh_.edges()[h].from), step = mesh_.point(mesh_.to(h)) - p;
     const Vec3 along = cross(outward(groups_.surface_of(groups_.group_at(h)), p),
                              outward(groups_.surface_of(groups_.opposite_group(h)), p));
-    if (norm(along) < kSteep) return cda::normalized(step);
-    return cda::normalized(dot(along, step) < 0.0 ? -along : along);
+    if (norm(along) < kSteep) return normalized(step);
+    return normalized(dot(along, step) < 0.0 ? -along : along);
 }
 
 // The boundaries that meet in a vertex, clockwise, as they go out from it.
@@ -107,7 +103,7 @@ bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
             constexpr double kRounding = 1.0;  // degrees
             const Vec3 n = outward(groups_.surface_of(g), before.at);
             const auto turn = [&](Vec3 u, Vec3 v) {
-                return trig::angle_of(dot(u, v), dot(n, cross(u, v)));
+                return angle_of(dot(u, v), dot(n, cross(u, v)));
             };
             return std::abs(turn(in, between) + turn(between, on) - turn(in, on)) < kRounding;
         };
@@ -126,7 +122,7 @@ bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
     const std::uint32_t left = at(best->first + 1).right, right = at(best->first).left;
     // From the other corner it is on the other side.
     rest.push_back({static_cast<std::uint32_t>(chains_.size()), false, right, left,
-                    cda::normalized(best->near.at - best->far.at)});
+                    normalized(best->near.at - best->far.at)});
     add_chain(number, other, left, right);
     vertices_[number] = std::move(best->near);
     vertices_.push_back(std::move(best->far));

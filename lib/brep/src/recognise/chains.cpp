@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recognise/chains.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "geometry/arc_ends.h"
 #include "geometry/contact.h"
@@ -24,10 +24,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
 
 // Where ways bend, sides and corner radii of both meet in two corners, as near to each other as
 // what programs round. They are off both by more, mm.
@@ -436,7 +432,7 @@ void Chains::end_arcs_in_corners() {
         const auto* circle = std::get_if<Circle>(&chain.curve);
         if (!circle && !std::holds_alternative<Line>(chain.curve)) continue;
         const auto along = [&](Vec3 p) {
-            return cda::normalized(circle ? cross(circle->axis, p - circle->centre) : to - from);
+            return normalized(circle ? cross(circle->axis, p - circle->centre) : to - from);
         };
         ends[chain.from].push_back({c, true, along(from)});
         ends[chain.to].push_back({c, false, -along(to)});

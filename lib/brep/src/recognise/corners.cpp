@@ -22,9 +22,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::dot;
-using cda::norm;
-
 constexpr double kApexReach = 0.3;  // mm
 
 // Newton's method does not find an apex, where a cone has no normal.
@@ -101,8 +98,7 @@ bool are_askew(std::span<const Form* const> planes) {
     for (std::size_t i = 0; i < planes.size(); ++i) {
         for (std::size_t j = i + 1; j < planes.size(); ++j) {
             const Vec3 one = std::get<Plane>(*planes[i]).normal;
-            if (norm(cda::cross(one, std::get<Plane>(*planes[j]).normal)) < kLeastSine)
-                return false;
+            if (norm(cross(one, std::get<Plane>(*planes[j]).normal)) < kLeastSine) return false;
         }
     }
     return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recognise/face_groups.h"
 
-#include "ncsim/cda/disjoint_sets.h"
+#include "ncsim/base/disjoint_sets.h"
 
 #include "geometry/contact.h"
 #include "geometry/envelope_contact.h"
@@ -18,10 +18,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-
 // Of what joins a neighbour, as a chord.
 constexpr double kMostTurnOfNeighbours = 0.6;
 // Of what is narrower than its error, and so may look anywhere.
@@ -37,15 +33,14 @@ std::optional<double> thickness_between(const Surface& a, const Surface& b) {
     constexpr double kParallel = 1e-5;  // rad
     if (const auto* one = std::get_if<Plane>(&a.form), *two = std::get_if<Plane>(&b.form);
         one && two) {
-        if (cda::norm(one->normal + two->normal) > kParallel) return std::nullopt;
+        if (norm(one->normal + two->normal) > kParallel) return std::nullopt;
         return -distance(a.form, two->origin);
     }
     const auto *one = std::get_if<Cylinder>(&a.form), *two = std::get_if<Cylinder>(&b.form);
-    if (!one || !two || a.is_hollow == b.is_hollow ||
-        cda::norm(cda::cross(one->axis, two->axis)) > kParallel)
+    if (!one || !two || a.is_hollow == b.is_hollow || norm(cross(one->axis, two->axis)) > kParallel)
         return std::nullopt;
     const Vec3 separation = two->origin - one->origin;
-    const double deviation = cda::norm(separation - cda::dot(separation, one->axis) * one->axis);
+    const double deviation = norm(separation - dot(separation, one->axis) * one->axis);
     return (a.is_hollow ? two->radius - one->radius : one->radius - two->radius) + deviation;
 }
 
@@ -59,7 +54,7 @@ Vec3 path_direction(const Form& across, Vec3 p) {
     const Fillet* fillet = characteristic.of.sweep->fillet();
     const bool is_with_side =
         !fillet || (fillet->centre_radius <= 0.0 && is_of_turning_tool(characteristic.of));
-    return cda::normalized(is_with_side ? radial_vector({}, at.tool.axis, velocity) : velocity);
+    return normalized(is_with_side ? radial_vector({}, at.tool.axis, velocity) : velocity);
 }
 
 // Where a corner radius stood, if the plane is that of its flat end there.
@@ -69,14 +64,13 @@ std::optional<Torus> adjacent_torus(const Plane& flat, const Envelope& moved) {
         return std::nullopt;
     std::vector<double> times{0.0, 1.0};
     if (const auto* path = std::get_if<StraightPath>(&moved.sweep->path())) {
-        const double deviation = cda::dot(flat.origin - path->from, flat.normal) - fillet->height;
-        times = {(deviation + fillet->radius) / cda::dot(path->along, flat.normal)};
+        const double deviation = dot(flat.origin - path->from, flat.normal) - fillet->height;
+        times = {(deviation + fillet->radius) / dot(path->along, flat.normal)};
     }
     for (const double t : times) {
         const ToolFrame at = moved.sweep->at(t);
         const Vec3 centre = path_frame(*moved.sweep, at).centre;
-        const bool is_its = cda::dot(at.axis, flat.normal) > 0.0 &&
-                            is_parallel(at.axis, flat.normal) &&
+        const bool is_its = dot(at.axis, flat.normal) > 0.0 && is_parallel(at.axis, flat.normal) &&
                             is_near(distance(flat, centre), fillet->radius);
         if (is_its) return Torus{centre, at.axis, fillet->centre_radius, fillet->radius};
     }
@@ -86,7 +80,7 @@ std::optional<Torus> adjacent_torus(const Plane& flat, const Envelope& moved) {
 }  // namespace
 
 void Groups::gather() {
-    cda::DisjointSets sets(mesh_.size());
+    DisjointSets sets(mesh_.size());
     for (const HalfEdge& h : mesh_.edges()) {
         const std::uint32_t other = mesh_.edges()[h.twin].facet;
         if (h.facet < other && mesh_[h.facet].label == mesh_[other].label)
@@ -203,9 +197,8 @@ bool Groups::absorb_lunes() {
             for (const Pipe& one : pipes) {
                 for (const Pipe& other : pipes)
                     cosine = std::min(
-                        cosine,
-                        std::abs(cda::dot(path_direction(one.across, mesh_[i].centroid),
-                                          path_direction(other.across, mesh_[i].centroid))));
+                        cosine, std::abs(dot(path_direction(one.across, mesh_[i].centroid),
+                                             path_direction(other.across, mesh_[i].centroid))));
             }
         }
         const double lower = radius_of(form_of(g)) * (std::sqrt(2.0 / (1.0 + cosine)) - 1.0);
@@ -414,7 +407,7 @@ bool Groups::demote_neighbours_of_tori() {
 // Is what the circle passes no thicker than facets are off?
 bool Groups::is_flat_ramp(std::uint32_t g) const {
     const auto* ramp = std::get_if<Extrusion>(&form_of(g));
-    return ramp && ramp->radius * std::abs(cda::dot(ramp->along, ramp->axis)) < 2.0 * error_of(g);
+    return ramp && ramp->radius * std::abs(dot(ramp->along, ramp->axis)) < 2.0 * error_of(g);
 }
 
 void Groups::relabel(std::uint32_t g, std::uint32_t surface) {
@@ -457,7 +450,7 @@ std::optional<std::uint32_t> Groups::merge_into_wall(std::uint32_t g) {
         return std::ranges::all_of(groups_[one].facets, [&](std::uint32_t i) {
             const Form& original = mesh_.surface(mesh_[i].plain).form;
             const Form& own = std::holds_alternative<Plane>(original) ? original : form_of(one);
-            return cda::norm(std::get<Plane>(own).normal - std::get<Plane>(form).normal) <=
+            return norm(std::get<Plane>(own).normal - std::get<Plane>(form).normal) <=
                        kMostTurnOfOne &&
                    std::ranges::all_of(mesh_.corners_of(i), [&](Vec3 p) {
                        return std::abs(distance(form, p) - distance(own, p)) <= kTangencyGapMm;

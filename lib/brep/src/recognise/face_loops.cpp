@@ -9,8 +9,6 @@
 
 namespace ncsim::brep {
 
-using cda::dot;
-
 namespace {
 
 // Ends of slits that are nearer than that are one, mm.
@@ -27,7 +25,7 @@ void drop_empty(std::vector<Loop>& loops) {
 bool lies_between(Vec3 p, Vec3 from, Vec3 to) {
     const Vec3 along = to - from;
     const double t = dot(p - from, along) / dot(along, along);
-    return t > 0.0 && t < 1.0 && cda::norm(p - from - t * along) <= kSlit;
+    return t > 0.0 && t < 1.0 && norm(p - from - t * along) <= kSlit;
 }
 
 // Of the face beyond the longer one: it runs along that, and along the slit, one after the other.
@@ -106,7 +104,7 @@ std::vector<Corners> FaceLoops::touching_corners(std::uint32_t group,
         const auto on_it = std::ranges::find_if(corners, [&](std::uint32_t v) {
             const Vec3 p = at(v) - circle->centre;
             const double height = dot(p, circle->axis);
-            const double radius = cda::norm(p - height * circle->axis);
+            const double radius = norm(p - height * circle->axis);
             const double deviation = radius - circle->radius;
             return v != chain.from && height * height + deviation * deviation <= near_mm * near_mm;
         });
@@ -121,7 +119,7 @@ std::vector<Corners> FaceLoops::touching_corners(std::uint32_t group,
         for (std::size_t j = i + 1; j < along.size(); ++j) {
             if (along[j].first > along[i].first + near_mm) break;
             const std::uint32_t one = along[i].second, other = along[j].second;
-            if (cda::norm(at(other) - at(one)) <= near_mm && same_.find(one) != same_.find(other))
+            if (norm(at(other) - at(one)) <= near_mm && same_.find(one) != same_.find(other))
                 touching.emplace_back(one, other);
         }
     }
@@ -183,7 +181,7 @@ bool FaceLoops::close_slit(std::uint32_t group, std::size_t loop) {
         const std::uint32_t one = opposite_group_of(forth), two = opposite_group_of(back);
         if (one == group || two == group || groups_.is_facet(one) || groups_.is_facet(two))
             continue;
-        const bool is_whole = cda::norm(at(start) - at(end)) <= kSlit;
+        const bool is_whole = norm(at(start) - at(end)) <= kSlit;
         const bool is_longer = !is_whole && lies_between(at(end), at(start), at(far));
         const bool is_shorter = !is_whole && lies_between(at(start), at(far), at(end));
         if (!is_whole && !is_longer && !is_shorter) continue;

@@ -4,8 +4,8 @@
 // width in them.
 #pragma once
 
+#include "ncsim/base/disjoint_sets.h"
 #include "ncsim/brep/part.h"
-#include "ncsim/cda/disjoint_sets.h"
 
 #include "recognise/chains.h"
 #include "recognise/face_groups.h"
@@ -66,7 +66,7 @@ private:
     const Chains& chains_;
     std::vector<std::vector<Loop>> loops_;  // of each group
     std::vector<Joint> joints_;             // of each chain
-    cda::DisjointSets same_;                // vertices
+    DisjointSets same_;                     // vertices
 };
 
 }  // namespace ncsim::brep

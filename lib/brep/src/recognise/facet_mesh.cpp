@@ -11,8 +11,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::norm;
-
 // A facet and the surface it approximates turn away from each other by less, as a chord (0.45 rad).
 constexpr double kMaxFacetTurn = 0.45;
 
@@ -138,8 +136,8 @@ std::uint32_t FacetMesh::plain_label(std::uint32_t f, const Facet& facet,
     return label;
 }
 
-cda::DisjointSets FacetMesh::kept_patches() const {
-    cda::DisjointSets patches(facets_.size());
+DisjointSets FacetMesh::kept_patches() const {
+    DisjointSets patches(facets_.size());
     for (const HalfEdge& h : edges_) {
         if (h.twin == kNone) continue;
         const std::uint32_t other = edges_[h.twin].facet;
@@ -149,7 +147,7 @@ cda::DisjointSets FacetMesh::kept_patches() const {
 }
 
 std::size_t FacetMesh::demoted_count() const {
-    cda::DisjointSets patches = kept_patches();
+    DisjointSets patches = kept_patches();
     struct Counts {
         std::size_t demoted_count = 0, unknown = 0;
     };

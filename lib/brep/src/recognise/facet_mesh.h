@@ -4,10 +4,10 @@
 // least, and how facets hang together.
 #pragma once
 
+#include "ncsim/base/disjoint_sets.h"
 #include "ncsim/brep/facets.h"
 #include "ncsim/brep/surface_forms.h"
 #include "ncsim/brep/swept_surfaces.h"
-#include "ncsim/cda/disjoint_sets.h"
 
 #include "geometry/no_index.h"
 #include "sources/label.h"
@@ -125,7 +125,7 @@ private:
     bool is_kept(const Facet& facet) const {
         return facet.label == facet.own && !facet.may_be_true;
     }
-    cda::DisjointSets kept_patches() const;
+    DisjointSets kept_patches() const;
 
     const Facets& source_;
     SurfaceSet surfaces_;

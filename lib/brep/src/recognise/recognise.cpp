@@ -43,8 +43,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::dot;
-
 // So often with corners, with edges and with faces.
 constexpr int kLenientRounds = 8, kStrictRounds = 16, kMostRounds = 100;
 // Of so many facets a round takes long: there are fewer, and where corners alone have kept failing
@@ -326,7 +324,7 @@ private:
             return std::ranges::any_of(loop, [&](const EdgeUse& use) {
                 const Edge& edge = part.edges[use.edge];
                 return edge.from != edge.to &&
-                       cda::norm(part.vertices[edge.to] - part.vertices[edge.from]) < kTiny;
+                       norm(part.vertices[edge.to] - part.vertices[edge.from]) < kTiny;
             });
         });
     }

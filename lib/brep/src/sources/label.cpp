@@ -16,10 +16,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-
 // Largest deviation of equal planes, as a chord.
 constexpr double kLevel = 1e-6;
 // Largest sine between a facet of an upright side and the axis.

@@ -3,9 +3,9 @@
 // Conversion of arcs, splines and rotary moves to paths in the workpiece frame.
 #include "sources/path_segments.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/toolpath/spline_arcs.h"
 #include "ncsim/toolpath/tool_pose.h"
-#include "ncsim/trig/angles.h"
 
 #include <cmath>
 #include <cstddef>
@@ -14,10 +14,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
 using gcode::Position;
 using toolpath::Pose;
 
@@ -113,24 +109,24 @@ std::optional<ArcPath> arc_path(const gcode::Arc& arc) {
     };
     path.ahead = level(from);
     const Vec3 end = level(to);
-    double swept = trig::angle_of(dot(end, path.ahead), dot(end, cross(path.about, path.ahead)));
+    double swept = angle_of(dot(end, path.ahead), dot(end, cross(path.about, path.ahead)));
     constexpr double kNoAngle = 1e-7, kTurn = 360.0;
     const bool is_left = arc.turns > 0;
     if (is_left && swept <= kNoAngle) swept += kTurn;
     if (!is_left && swept >= -kNoAngle) swept -= kTurn;
     swept += kTurn * static_cast<double>(is_left ? arc.turns - 1 : arc.turns + 1);
-    path.swept = swept * trig::kRadiansPerDegree;
+    path.swept = swept * kRadiansPerDegree;
     path.rise = (to[third] - from[third]) / path.swept;
     path.start = path.radius;
     const double growth = radius(to) - radius(from);
     if (std::abs(growth) <= kMostSpiral) return path;
     constexpr double kMostGrowth = 0.2;
-    const double lead = growth / (swept * trig::kRadiansPerDegree);
+    const double lead = growth / (swept * kRadiansPerDegree);
     if (std::abs(swept) > kTurn || std::abs(lead) > kMostGrowth * path.radius) return std::nullopt;
     path.start = radius(from);
     path.growth = lead;
-    path.left = 0.5 * (kTurn - std::abs(swept)) * trig::kRadiansPerDegree;
-    const auto middle = trig::sin_cos(0.5 * swept);
+    path.left = 0.5 * (kTurn - std::abs(swept)) * kRadiansPerDegree;
+    const auto middle = sin_cos(0.5 * swept);
     const Vec3 ahead = middle.cos * path.ahead + middle.sin * cross(path.about, path.ahead);
     path.spiral = Spiral{path.centre, path.about, normalized(ahead), path.radius, lead, 0.0};
     return path;
@@ -193,10 +189,10 @@ std::vector<SplinePath> spline_paths(const gcode::Spline& spline, const toolpath
             arc.about = turn * Vec3{0.0, 0.0, 1.0};
             arc.radius = arc.fitted_radius = arc.start = piece.radius;
             arc.ahead = normalized(path.from - arc.centre);
-            arc.swept = piece.swept_degrees * trig::kRadiansPerDegree;
+            arc.swept = piece.swept_degrees * kRadiansPerDegree;
             const Vec3 side = cross(arc.about, arc.ahead);
             for (const double share : {0.25, 0.5, 0.75}) {
-                const auto angle = trig::sin_cos(share * piece.swept_degrees);
+                const auto angle = sin_cos(share * piece.swept_degrees);
                 path.box.add(arc.centre +
                              piece.radius * (angle.cos * arc.ahead + angle.sin * side));
             }

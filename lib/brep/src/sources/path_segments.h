@@ -3,9 +3,9 @@
 // Paths of a tool's tip during a motion: lines, arcs, and paths of tools that turn. mm, frame W.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/brep/profile_sweep.h"
 #include "ncsim/brep/surface_forms.h"
-#include "ncsim/cda/vec.h"
 #include "ncsim/gcode/motion.h"
 #include "ncsim/toolpath/kinematics.h"
 
@@ -37,7 +37,7 @@ struct ArcPath {
 struct SplinePath {
     Vec3 from, to;
     std::optional<ArcPath> arc;
-    cda::Box box;               ///< Around the path of the tip.
+    Box box;                    ///< Around the path of the tip.
     std::array<Plane, 2> ends;  ///< Across the path, with normals along the path.
     bool begins_in_corner = true;
 };

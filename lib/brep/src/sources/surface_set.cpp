@@ -9,8 +9,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::dot;
-
 constexpr double kSameMm = 2e-5;
 // Largest difference between the keys of equal surfaces. A key is a sum of a few lengths that
 // differ by up to kSameMm, times factors of at most 1, for parts of up to a metre.

@@ -4,10 +4,12 @@
 // of this table.
 #include "ncsim/brep/surface_text.h"
 
+#include "ncsim/base/number_text.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <system_error>
 #include <type_traits>
@@ -18,9 +20,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-using cda::dot;
-using cda::norm;
 
 // Calls `v` for each field: point(), direction() (unit), vector(), length() (positive) and number()
 // (any sign).
@@ -150,11 +149,7 @@ public:
         number(cosine);
         number(sine);
     }
-    void number(double x) {
-        std::array<char, 32> digits{};
-        char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr;
-        word({digits.data(), end});
-    }
+    void number(double x) { word(shortest(x)); }
     void count(const std::vector<std::array<double, 6>>& powers) {
         number(static_cast<double>(powers.size()));
     }
@@ -214,10 +209,8 @@ public:
     }
     // Bounds of boxes may be infinite.
     void any_number(double& x) {
-        const std::string_view next = word();
-        const auto read = std::from_chars(next.data(), next.data() + next.size(), x);
-        is_good = is_good && read.ec == std::errc{} && read.ptr == next.data() + next.size() &&
-                  !std::isnan(x);
+        x = number_in<double>(word()).value_or(std::numeric_limits<double>::quiet_NaN());
+        is_good = is_good && !std::isnan(x);
     }
     void count(std::vector<std::array<double, 6>>& powers) {
         constexpr double kMostPowers = 64.0;
@@ -365,8 +358,8 @@ void move(Form& form, Mover& mover) {
 }
 
 // Returns the box around the moved box. Bounds may be infinite.
-cda::Box moved(const cda::Box& box, const RigidMotion& motion) {
-    cda::Box result{motion.shift, motion.shift};
+Box moved(const Box& box, const RigidMotion& motion) {
+    Box result{motion.shift, motion.shift};
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) {
             const double share = motion.rows[static_cast<std::size_t>(i)][k];
@@ -422,7 +415,7 @@ std::optional<CandidateSurface> candidate_of(std::string_view text) {
         mark = reader.word();
     }
     if (take(kWithin)) {
-        cda::Box& box = candidate.place.emplace();
+        Box& box = candidate.place.emplace();
         for (Vec3* corner : {&box.min, &box.max}) {
             for (int i = 0; i < 3; ++i)
                 reader.any_number((*corner)[i]);

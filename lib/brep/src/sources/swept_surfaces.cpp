@@ -4,9 +4,9 @@
 // that turn.
 #include "ncsim/brep/swept_surfaces.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/toolpath/kinematics.h"
 #include "ncsim/toolpath/tool_pose.h"
-#include "ncsim/trig/angles.h"
 
 #include "geometry/tolerances.h"
 #include "sources/path_segments.h"
@@ -23,10 +23,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
 using gcode::Position;
 using toolpath::Pose;
 using toolpath::ProfilePoint;
@@ -98,7 +94,7 @@ std::vector<Element> elements_of(const toolpath::ToolPiece& piece) {
 HelixPath piece_of(const HelixPath& path, int i, int pieces) {
     if (pieces == 1) return path;
     const double width = path.swept / pieces, begin = i * width;
-    const auto angle = trig::sin_cos(begin / trig::kRadiansPerDegree);
+    const auto angle = sin_cos(begin / kRadiansPerDegree);
     HelixPath piece = path;
     piece.centre = path.centre + (path.lead * begin) * path.about;
     piece.ahead = angle.cos * path.ahead + angle.sin * cross(path.about, path.ahead);
@@ -113,16 +109,16 @@ std::optional<std::array<double, 2>> heights_passed(const ArcPath& path, Vec3 ax
     constexpr double kTurn = 360.0, kQuarter = 90.0;
     const Vec3 on =
         path.swept < 0.0 ? cross(path.ahead, path.about) : cross(path.about, path.ahead);
-    const double swept = std::abs(path.swept) / trig::kRadiansPerDegree;
+    const double swept = std::abs(path.swept) / kRadiansPerDegree;
     // Returns the angle from the start, along the arc, at which the arc passes `direction`.
     const auto angle_at = [&](Vec3 direction) {
-        const double angle = trig::angle_of(dot(direction, path.ahead), dot(direction, on));
+        const double angle = angle_of(dot(direction, path.ahead), dot(direction, on));
         return angle < 0.0 ? angle + kTurn : angle;
     };
     const double enters = angle_at(-axis), leaves = angle_at(axis);
     std::optional<std::array<double, 2>> heights;
     const auto take = [&](double degrees) {
-        const auto angle = trig::sin_cos(degrees);
+        const auto angle = sin_cos(degrees);
         const Vec3 out = angle.cos * path.ahead + angle.sin * on;
         if (dot(out, side) < -kEqual) return;
         const double height = path.fitted_radius * dot(out, axis);
@@ -150,7 +146,7 @@ public:
 
     /// Sets the box for surfaces that follow, except planes, and the end planes for surfaces that
     /// are not at rest.
-    void set_place(const std::optional<cda::Box>& place,
+    void set_place(const std::optional<Box>& place,
                    const std::optional<std::array<Plane, 2>>& ends) {
         place_ = place;
         ends_ = ends;
@@ -396,7 +392,7 @@ public:
         } else {
             const double least = path.reach - std::numbers::pi * std::abs(path.lead);
             // If the ends are close, a point next to the first end is also next to the second.
-            constexpr double kFew = 5.0 * trig::kRadiansPerDegree;
+            constexpr double kFew = 5.0 * kRadiansPerDegree;
             if (left < kFew && left * least < 2.0 * e.radius) return note_unlisted_surfaces();
             Spiral wall = path;
             wall.offset = e.radius;
@@ -419,7 +415,7 @@ public:
             const double level = std::sqrt(std::max(0.0, 1.0 - path.axis[i] * path.axis[i]));
             beyond[i] = (path.reach + e.radius) * level + kRimMargin;
         }
-        cda::Box box;
+        Box box;
         for (const Vec3 end : {start, start + (path.lead * path.swept) * path.about}) {
             box.add(end + beyond);
             box.add(end - beyond);
@@ -549,7 +545,7 @@ private:
     std::vector<CandidateSurface>* into_;
     bool at_rest_ = false;
     std::optional<Vec3> below_side_;
-    std::optional<cda::Box> place_;
+    std::optional<Box> place_;
     std::optional<std::array<Plane, 2>> ends_;
     bool may_leave_other_surfaces_ = false;
     double chords_ = 1.0;
@@ -582,7 +578,7 @@ void sweep_spline(Sweeps& sweeps, const Element& e, bool is_corner,
                   const std::vector<SplinePath>& paths, Vec3 axis) {
     const double wide = std::max(e.radius, e.end_radius) + e.fillet + kRimMargin;
     for (const SplinePath& path : paths) {
-        cda::Box box;
+        Box box;
         for (const double height : {e.height, e.end_height}) {
             for (const Vec3 corner : {path.box.min, path.box.max}) {
                 box.add(corner + height * axis + Vec3{wide, wide, wide});

@@ -3,7 +3,7 @@
 // Angles that faces cover around an axis.
 #include "topology/angular_extent.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,6 @@
 #include <utility>
 
 namespace ncsim::brep {
-
-using cda::cross;
-using cda::dot;
-using cda::norm;
 
 std::vector<std::vector<Vec3>> points_along(const Part& part, const Face& face) {
     constexpr std::size_t kInAPiece = 4;
@@ -63,7 +59,7 @@ AngularExtent angular_extent(const std::vector<std::vector<Vec3>>& loops, Vec3 o
             if (far > 0.0) extent.nearest = std::min(extent.nearest, radius / far);
             // A tip has no angle.
             constexpr double kAtTip = 1e-6;
-            if (radius > kAtTip) take(trig::angle_of(u, w));
+            if (radius > kAtTip) take(angle_of(u, w));
         }
         if (first) take(*first);
         extent.is_full_turn = extent.is_full_turn || std::abs(sum) > 180.0;
@@ -91,7 +87,7 @@ double winding_angle(const std::vector<Vec3>& points, Vec3 centre, Vec3 axis) {
     const Vec3 x = any_perpendicular(axis), y = cross(axis, x);
     std::optional<double> last;
     for (const Vec3& p : points) {
-        const double angle = trig::angle_of(dot(p - centre, x), dot(p - centre, y));
+        const double angle = angle_of(dot(p - centre, x), dot(p - centre, y));
         if (last) {
             const double step = angle - *last;
             sum += step - 360.0 * std::floor(step / 360.0 + 0.5);

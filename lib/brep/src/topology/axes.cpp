@@ -3,7 +3,7 @@
 // Local coordinates on domes and tori.
 #include "topology/axes.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,14 +11,10 @@
 
 namespace ncsim::brep {
 
-using cda::cross;
-using cda::dot;
-using cda::normalized;
-
 Local local_on(const Dome& dome, const Axes& axes, Vec3 p) {
     const DomePlace place = project_onto(dome, p);
     Local local = axes(axes.origin + (p - dome.centre - dome.reach * place.up));
-    local.z = dome.reach * place.degrees() * trig::kRadiansPerDegree;
+    local.z = dome.reach * place.degrees() * kRadiansPerDegree;
     return local;
 }
 
@@ -43,10 +39,9 @@ double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus&
             const double inwards =
                 -dot(normalized(tangent), normalized(sign * cross(n, track.derivative(t))));
             constexpr double kAcross = 0.9;
-            angles.push_back({trig::angle_of(p.radius - torus.major, p.z), inwards > kAcross ? 1
-                                                                           : inwards < -kAcross
-                                                                               ? -1
-                                                                               : 0});
+            angles.push_back({angle_of(p.radius - torus.major, p.z), inwards > kAcross    ? 1
+                                                                     : inwards < -kAcross ? -1
+                                                                                          : 0});
         }
     });
     std::sort(angles.begin(), angles.end());
@@ -64,7 +59,7 @@ double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus&
 
 double degrees_from(double cut, const Torus& torus, const Local& p) {
     constexpr double kTurn = 360.0, kQuarter = 90.0;
-    const double degrees = trig::angle_of(p.radius - torus.major, p.z) - cut;
+    const double degrees = angle_of(p.radius - torus.major, p.z) - cut;
     if (!is_spindle(torus)) return degrees < 0.0 ? degrees + kTurn : degrees;
     return std::max(0.0, degrees < -kQuarter ? degrees + kTurn : degrees);
 }

@@ -24,7 +24,7 @@ struct Axes {
     Axes(Vec3 at, const Frame& frame)
         : origin(at),
           x(frame.x),
-          y(cda::cross(frame.axis, frame.x)),
+          y(cross(frame.axis, frame.x)),
           z(frame.axis),
           lean{0.0, 0.0, 1.0} {}
     /// Axes in which an extrusion is a cylinder.
@@ -33,9 +33,7 @@ struct Axes {
     }
 
     /// Returns the rectangular components along x, y and z.
-    Vec3 rectangular_components(Vec3 v) const {
-        return {cda::dot(v, x), cda::dot(v, y), cda::dot(v, z)};
-    }
+    Vec3 rectangular_components(Vec3 v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
     Vec3 oblique_components(Vec3 v) const {
         const Vec3 u = rectangular_components(v);
         const double far = u.z / lean.z;

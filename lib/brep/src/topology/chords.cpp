@@ -17,9 +17,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::dot;
-using cda::norm;
-
 // Depth of a chord that a reader may draw, mm.
 constexpr double kChordDepth = 0.02;
 
@@ -107,7 +104,7 @@ private:
         if (deviation > kChordDepth || nearer < kEnd || dot(in, arc.centre - foot) <= 0.0)
             return std::nullopt;
         // Depth of the whole arc's chord below the foot.
-        const Vec3 along = cda::normalized(after - before);
+        const Vec3 along = normalized(after - before);
         const double depth = norm(before - dot(before, along) * along);
         const bool is_long = track.sweep_degrees() > 90.0;
         if (!is_long && depth < kAsDeep * deviation) return std::nullopt;

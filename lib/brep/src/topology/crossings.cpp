@@ -10,8 +10,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::dot;
-
 constexpr int kHalvings = 60;
 
 class Heights {

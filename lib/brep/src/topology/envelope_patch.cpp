@@ -18,8 +18,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::dot;
-
 constexpr double kNearEnough = 1e-6;  // mm
 constexpr std::size_t kMostKnots = 400;
 

@@ -3,7 +3,7 @@
 // Choice of parameter frames by form.
 #include "ncsim/brep/frames.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "topology/angular_extent.h"
 #include "topology/whole_circle.h"
@@ -19,11 +19,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-
 // Returns the x axis for a face with these loops.
 Vec3 x_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis) {
     const Vec3 x = any_perpendicular(axis);
@@ -34,7 +29,7 @@ Vec3 x_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis)
         const Vec3 out = v - dot(v, axis) * axis;
         return norm(out) > 1e-6 ? normalized(out) : x;
     }
-    const auto angle = trig::sin_cos(round.gap_begin + 0.5 * round.gap);
+    const auto angle = sin_cos(round.gap_begin + 0.5 * round.gap);
     return normalized(angle.cos * x + angle.sin * cross(axis, x));
 }
 
@@ -146,7 +141,7 @@ std::optional<Vec3> axis_of_parameters(const Part& part, const Face& face, const
         const double sweep = Track(edge.curve, from, to).sweep_degrees();
         return std::ranges::all_of(std::array{axis, -axis}, [&](Vec3 pole) {
             const Vec3 x = normalized(from - circle.centre), y = cross(circle.axis, x);
-            double at = trig::angle_of(dot(pole, x), dot(pole, y));
+            double at = angle_of(dot(pole, x), dot(pole, y));
             constexpr double kTurn = 360.0, kInCorner = 1e-6;
             if (at < -kInCorner) at += kTurn;
             return at < kInCorner || at > sweep - kInCorner;

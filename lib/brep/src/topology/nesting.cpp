@@ -3,7 +3,7 @@
 // Nesting of shells by signed volumes and winding numbers.
 #include "topology/nesting.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <span>
@@ -12,11 +12,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-using cda::cross;
-using cda::dot;
-using cda::normalized;
-using cda::Vec3;
 
 // Returns six times the volume inside the faces, negative for a void.
 double sixfold_volume(const cda::Boundary& boundary, std::span<const std::uint32_t> faces) {
@@ -45,8 +40,7 @@ double winding_number(const cda::Boundary& boundary, std::span<const std::uint32
             for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
                 const Vec3 b = normalized(boundary.vertices[loop[i]] - p);
                 const Vec3 c = normalized(boundary.vertices[loop[i + 1]] - p);
-                sum += 2.0 *
-                       trig::angle_of(1.0 + dot(a, b) + dot(b, c) + dot(c, a), dot(a, cross(b, c)));
+                sum += 2.0 * angle_of(1.0 + dot(a, b) + dot(b, c) + dot(c, a), dot(a, cross(b, c)));
             }
         }
     }

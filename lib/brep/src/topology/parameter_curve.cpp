@@ -4,8 +4,8 @@
 // derivatives; pieces are halved until the curve is near enough.
 #include "ncsim/brep/parameter_curve.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/brep/frames.h"
-#include "ncsim/trig/angles.h"
 
 #include "geometry/spline_surface.h"
 
@@ -18,11 +18,6 @@
 
 namespace ncsim::brep {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-using trig::kRadiansPerDegree;
-
 namespace {
 
 constexpr double kMostMiss = 2e-6;     // mm: readers project what is farther off in their own way
@@ -32,12 +27,12 @@ constexpr double kParallel = 1e-9;     // sine
 constexpr double kTurn = 360.0 * kRadiansPerDegree;
 
 double angle_rad(double x, double y) {
-    return trig::angle_of(x, y) * kRadiansPerDegree;
+    return angle_of(x, y) * kRadiansPerDegree;
 }
 
 // Returns the factors of `u` and `v` in the part of `w` in their plane. Where they are parallel,
 // the factors are the smallest ones if `any` is set, otherwise there is no result.
-std::optional<std::array<double, 2>> components(Vec3 u, Vec3 v, Vec3 w, bool any) {
+std::optional<Vec2> components(Vec3 u, Vec3 v, Vec3 w, bool any) {
     constexpr double kLeastSine = 1e-5, kWeight = 1e-9;
     double uu = dot(u, u), vv = dot(v, v);
     const double uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
@@ -48,7 +43,7 @@ std::optional<std::array<double, 2>> components(Vec3 u, Vec3 v, Vec3 w, bool any
     }
     const double det = uu * vv - uv * uv;
     if (!(det > 0.0)) return std::nullopt;
-    return std::array{(vv * uw - uv * vw) / det, (uu * vw - uv * uw) / det};
+    return Vec2{(vv * uw - uv * vw) / det, (uu * vw - uv * uw) / det};
 }
 
 }  // namespace
@@ -101,7 +96,7 @@ ParameterSurface::Point ParameterSurface::point(Place place) const {
         return {p.at, p.by_around, p.by_along};
     }
     const Vec3 x = frame_.x, z = frame_.axis, y = cross(z, x);
-    const auto u = trig::sin_cos(place[0] / kRadiansPerDegree);
+    const auto u = sin_cos(place[0] / kRadiansPerDegree);
     const Vec3 out = u.cos * x + u.sin * y, on = u.cos * y - u.sin * x;
     const auto turned = [&](double radius, double height, double radius_by_v, double height_by_v) {
         return Point{frame_.origin + radius * out + height * z, radius * on,
@@ -118,7 +113,7 @@ ParameterSurface::Point ParameterSurface::point(Place place) const {
                 form->along};
     const auto* torus = std::get_if<Torus>(&form_);
     const double tip = torus && is_spindle(*torus) ? tip_degrees(*torus) : 0.0;
-    const auto v = trig::sin_cos(place[1] / kRadiansPerDegree + tip);
+    const auto v = sin_cos(place[1] / kRadiansPerDegree + tip);
     if (const auto* form = std::get_if<Sphere>(&form_)) {
         const double r = form->radius;
         return turned(r * v.cos, r * v.sin, -r * v.sin, r * v.cos);
@@ -213,10 +208,7 @@ public:
         ParameterCurve result;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             const Node& node = nodes_[i];
-            const auto handle = [&](double width) {
-                return Place{node.at[0] + width / 3.0 * node.slope[0],
-                             node.at[1] + width / 3.0 * node.slope[1]};
-            };
+            const auto handle = [&](double width) { return node.at + width / 3.0 * node.slope; };
             result.points.push_back(i == 0 ? node.at : handle(nodes_[i - 1].t - node.t));
             result.points.push_back(i + 1 == nodes_.size() ? node.at
                                                            : handle(nodes_[i + 1].t - node.t));
@@ -250,7 +242,7 @@ private:
             slopes[i] = *slope;
         }
         const auto& [near, far] = slopes;
-        return Node{t, *at, {2.0 * near[0] - far[0], 2.0 * near[1] - far[1]}};
+        return Node{t, *at, 2.0 * near - far};
     }
 
     std::optional<Place> slope_at(double t, Place at) const {
@@ -262,8 +254,7 @@ private:
     bool add_piece(double t, int halvings) {
         const Node from = nodes_.back();
         const double width = t - from.t;
-        const auto to = node_at(
-            t, from.t, {from.at[0] + width * from.slope[0], from.at[1] + width * from.slope[1]});
+        const auto to = node_at(t, from.t, from.at + width * from.slope);
         if (!to) return false;
         if (is_near(from, *to)) {
             nodes_.push_back(*to);
@@ -277,10 +268,8 @@ private:
         const double width = to.t - from.t;
         return std::ranges::all_of(std::array{0.2, 0.4, 0.6, 0.8}, [&](double s) {
             const double r = 1.0 - s;
-            Place at{};
-            for (std::size_t k = 0; k < 2; ++k)
-                at[k] = r * r * (1.0 + 2.0 * s) * from.at[k] + s * r * r * width * from.slope[k] +
-                        s * s * (3.0 - 2.0 * s) * to.at[k] - s * s * r * width * to.slope[k];
+            const Place at = r * r * (1.0 + 2.0 * s) * from.at + s * r * r * width * from.slope +
+                             s * s * (3.0 - 2.0 * s) * to.at - s * s * r * width * to.slope;
             const Vec3 p = curve_.at(from.t + s * width).at;
             const double away = norm(surface_.point(at).at - p);
             if (away <= kOnSurface) return true;

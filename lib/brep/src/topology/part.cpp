@@ -16,9 +16,6 @@
 
 namespace ncsim::brep {
 
-using cda::dot;
-using cda::normalized;
-
 std::size_t mark_tessellated(Part& part, cda::Origin origin) {
     constexpr double kCosine = 0.866;  // 30°
     const auto is_candidate = [&](const Face& face) {

@@ -3,7 +3,7 @@
 // Spline patches of domes, coils and spirals.
 #include "ncsim/brep/patch.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "geometry/tolerances.h"
 #include "topology/angular_extent.h"
@@ -19,9 +19,6 @@ namespace ncsim::brep {
 
 namespace {
 
-using cda::cross;
-using cda::dot;
-
 // Control points of a B-spline of degree 5 with triple knots at distance 1.
 struct Quintic {
     std::vector<Vec3> points;
@@ -35,15 +32,15 @@ struct Quintic {
 Quintic quintic_of_arc(Vec3 centre, Vec3 x, Vec3 y, double begin, double end, double piece,
                        Vec3 rise = {}) {
     const int pieces = std::max(1, static_cast<int>((end - begin) / piece) + 1);
-    const double width = (end - begin) / pieces, radians = width * trig::kRadiansPerDegree;
+    const double width = (end - begin) / pieces, radians = width * kRadiansPerDegree;
     struct Knot {
         Vec3 at, first, second;  // derivatives by the parameter
     };
     const auto knot = [&](int i) {
         const double degrees = begin + i * width;
-        const auto t = trig::sin_cos(degrees);
+        const auto t = sin_cos(degrees);
         const Vec3 out = t.cos * x + t.sin * y;
-        return Knot{centre + out + (degrees * trig::kRadiansPerDegree) * rise,
+        return Knot{centre + out + (degrees * kRadiansPerDegree) * rise,
                     radians * (t.cos * y - t.sin * x + rise), (-radians * radians) * out};
     };
     Quintic spline;
@@ -102,7 +99,7 @@ Reach reach_of_patch(const Part& part, const Face& face, const Reach& reach,
                     farthest[k] = std::max(farthest[k], std::abs(places[i][k] - places[0][k]));
             }
             const auto is_at = [&](std::size_t k, double end, double radius) {
-                const double most = kTangencyGapMm / (radius * trig::kRadiansPerDegree);
+                const double most = kTangencyGapMm / (radius * kRadiansPerDegree);
                 return farthest[k] <= most && std::abs(places[0][k] - end) <= most;
             };
             ends[0] = ends[0] || is_at(0, reach.first, radius_around);
@@ -121,7 +118,7 @@ Patch patch_of_dome(const Part& part, const Face& face, const Dome& dome) {
     Reach reach;
     const auto place_of = [&](Vec3 p) {
         const DomePlace place = project_onto(dome, p);
-        const double angle = trig::angle_of(dot(place.out, x), dot(place.out, y));
+        const double angle = angle_of(dot(place.out, x), dot(place.out, y));
         return std::array{angle < 0.0 ? angle + 360.0 : angle, place.degrees()};
     };
     for (const auto& points : points_along(part, face)) {
@@ -155,7 +152,7 @@ bool ends_level(const Part& part, const Face& face, const Coil& coil, double deg
             const auto* circle = std::get_if<Circle>(&edge.curve);
             if (!circle || std::abs(dot(circle->axis, coil.axis)) < 1.0 - kOn) continue;
             const double turn = place_at_height(coil, part.vertices[edge.from]).turn;
-            if (std::abs(turn / trig::kRadiansPerDegree - degrees) < kOn) return true;
+            if (std::abs(turn / kRadiansPerDegree - degrees) < kOn) return true;
         }
     }
     return false;
@@ -170,7 +167,7 @@ Patch patch_of_coil(const Part& part, const Face& face, const Coil& coil) {
         for (const Vec3& p : points) {
             const CoilPlace place = project_onto(coil, p);
             ahead += dot(place.out, place.motion);
-            reach.take(0.0, place.turn / trig::kRadiansPerDegree);
+            reach.take(0.0, place.turn / kRadiansPerDegree);
         }
     }
     const double sign = ahead < 0.0 ? -1.0 : 1.0;
@@ -202,16 +199,16 @@ Patch patch_of_spiral(const Part& part, const Face& face, const Spiral& spiral) 
     for (const auto& points : points_along(part, face)) {
         for (const Vec3& p : points) {
             const SpiralPlace place = project_onto(spiral, p);
-            reach.take(place.height, place.turn / trig::kRadiansPerDegree);
+            reach.take(place.height, place.turn / kRadiansPerDegree);
         }
     }
     const double low = reach.low - kBeyond, high = reach.high + kBeyond;
     const int pieces = std::max(1, static_cast<int>((high - low) / kPieceOfSpiral) + 1);
     const double width = (high - low) / pieces;
-    const double handle = 4.0 / 3.0 * trig::tangent(0.25 * width);
+    const double handle = 4.0 / 3.0 * tangent(0.25 * width);
     Spline wall;
     for (int i = 0; i <= pieces; ++i) {
-        const SpiralPlace place = place_at(spiral, (low + i * width) * trig::kRadiansPerDegree);
+        const SpiralPlace place = place_at(spiral, (low + i * width) * kRadiansPerDegree);
         const Vec3 at = place.path_point + spiral.offset * place.out;
         const Vec3 on = (handle * place.speed) * place.along;
         wall.points.push_back(i == 0 ? at : at - on);

@@ -5,10 +5,6 @@
 
 namespace ncsim::brep {
 
-using cda::cross;
-using cda::dot;
-using cda::norm;
-
 bool WholeCircle::is_about(Vec3 origin, Vec3 along) const {
     constexpr double kSame = 1e-9;  // mm, and sine
     const Vec3 v = centre - origin;

@@ -3,7 +3,7 @@
 // Lists of items by group in a single array.
 #pragma once
 
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/parallel.h"
 
 #include <algorithm>
 #include <cassert>

@@ -4,7 +4,7 @@
 // keeps the keys in one array.
 #pragma once
 
-#include "ncsim/cda/mix.h"
+#include "ncsim/base/mix.h"
 
 #include "exact/chunks.h"
 

@@ -3,7 +3,7 @@
 // Plücker coordinates: hash and comparison.
 #include "exact/numbering.h"
 
-#include "ncsim/cda/mix.h"
+#include "ncsim/base/mix.h"
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 // Conversions and hash of planes.
 #include "ncsim/cda/plane.h"
 
-#include "ncsim/cda/mix.h"
+#include "ncsim/base/mix.h"
 
 #include <numeric>
 

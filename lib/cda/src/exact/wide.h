@@ -3,7 +3,7 @@
 // Operations on 128-bit integers that the compiler does not provide.
 #pragma once
 
-#include "ncsim/cda/int128.h"
+#include "ncsim/base/int128.h"
 
 #include <bit>
 #include <cstdint>

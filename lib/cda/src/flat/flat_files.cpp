@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Statistics and XML output of the flat aggregate, as visitors.
+#include "ncsim/base/number_text.h"
 #include "ncsim/cda/flat.h"
 
-#include <array>
-#include <charconv>
 #include <ostream>
 #include <string_view>
 
 namespace ncsim::cda {
 
 namespace {
-
-// Writes the shortest text that reads back as the same number, in any locale.
-template <class T>
-void write_number(std::ostream& out, T value) {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    out.write(text.data(), end - text.data());
-}
 
 std::string_view name(CellKind kind) {
     switch (kind) {
@@ -63,8 +54,8 @@ public:
 private:
     template <class First, class... Rest>
     void write_row(First first, Rest... rest) {
-        write_number(out_, first);
-        ((out_ << ',', write_number(out_, rest)), ...);
+        out_ << shortest(first);
+        ((out_ << ',' << shortest(rest)), ...);
         out_ << '\n';
     }
     std::ostream& out_;
@@ -77,16 +68,16 @@ public:
     void visit_cda(const FlatCda& cda) override {
         lattice_ = cda.lattice();
         out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<cda unit_mm=\"";
-        write_number(out_, lattice_.unit_mm);
+        out_ << shortest(lattice_.unit_mm);
         out_ << "\">\n";
     }
 
     void visit_cell(const CdaCell& cell, std::uint32_t index) override {
         close_cell();
         out_ << "  <cell kind=\"" << name(cell.kind) << "\" index=\"";
-        write_number(out_, index);
+        out_ << shortest(index);
         out_ << "\" origin=\"";
-        write_number(out_, static_cast<std::uint32_t>(cell.origin));
+        out_ << shortest(static_cast<std::uint32_t>(cell.origin));
         out_ << "\">\n";
         for (const ExactPoint& vertex : cell.body.vertices())
             write_vertex("    ", vertex);
@@ -96,13 +87,13 @@ public:
     void visit_facet(const CdaCell& cell, const FacetRef& ref) override {
         const auto& facet = cell.body.facets()[ref.facet];
         out_ << "    <facet index=\"";
-        write_number(out_, ref.facet);
+        out_ << shortest(ref.facet);
         out_ << "\">\n      ";
         write_plane(facet.plane);
         out_ << "      <vertices>";
         for (std::size_t i = 0; i < facet.vertices.size(); ++i) {
             if (i > 0) out_ << ' ';
-            write_number(out_, facet.vertices[i]);
+            out_ << shortest(facet.vertices[i]);
         }
         out_ << "</vertices>\n";
         const FacetBinding& binding = cell.bindings[ref.facet];
@@ -115,7 +106,7 @@ public:
     void visit_contact(const Contact& contact, std::uint32_t index) override {
         close_cell();
         out_ << "  <contact index=\"";
-        write_number(out_, index);
+        out_ << shortest(index);
         out_ << "\">\n    ";
         write_plane(contact.polygon.plane);
         for (const ExactPoint& corner : contact.polygon.corners)
@@ -138,29 +129,29 @@ private:
     void write_vertex(std::string_view indent, const ExactPoint& vertex) {
         const Vec3 mm = lattice_.to_mm(vertex.approx);
         out_ << indent << "<vertex x=\"";
-        write_number(out_, mm.x);
+        out_ << shortest(mm.x);
         out_ << "\" y=\"";
-        write_number(out_, mm.y);
+        out_ << shortest(mm.y);
         out_ << "\" z=\"";
-        write_number(out_, mm.z);
+        out_ << shortest(mm.z);
         out_ << "\"/>\n";
     }
     void write_plane(const Plane& plane) {
         out_ << "<plane nx=\"";
-        write_number(out_, plane.nx);
+        out_ << shortest(plane.nx);
         out_ << "\" ny=\"";
-        write_number(out_, plane.ny);
+        out_ << shortest(plane.ny);
         out_ << "\" nz=\"";
-        write_number(out_, plane.nz);
+        out_ << shortest(plane.nz);
         out_ << "\" d=\"";
-        write_number(out_, plane.d);
+        out_ << shortest(plane.d);
         out_ << "\"/>\n";
     }
     void write_binding(std::string_view way, const FacetRef& facet) {
         out_ << "      <" << way << " kind=\"" << name(facet.kind) << "\" cell=\"";
-        write_number(out_, facet.cell);
+        out_ << shortest(facet.cell);
         out_ << "\" facet=\"";
-        write_number(out_, facet.facet);
+        out_ << shortest(facet.facet);
         out_ << "\"/>\n";
     }
 

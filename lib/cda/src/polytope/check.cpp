@@ -3,7 +3,7 @@
 // Checks that surfaces are closed, and volumes of meshes.
 #include "ncsim/cda/check.h"
 
-#include "ncsim/cda/mix.h"
+#include "ncsim/base/mix.h"
 
 #include <algorithm>
 #include <utility>

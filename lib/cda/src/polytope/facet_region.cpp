@@ -43,10 +43,10 @@ bool FacetRegion::assign(const Plane& plane, const HalfBox& box) {
 }
 
 Vec3 FacetRegion::position_of(const Point& corner) const {
-    const double along = e_ - n_[axes_[0]] * corner.u - n_[axes_[1]] * corner.v;
+    const double along = e_ - n_[axes_[0]] * corner.x - n_[axes_[1]] * corner.y;
     std::array<double, 3> at = middle_;
-    at[axes_[0]] += corner.u;
-    at[axes_[1]] += corner.v;
+    at[axes_[0]] += corner.x;
+    at[axes_[1]] += corner.y;
     at[axes_[2]] += along / n_[axes_[2]];
     return {at[0], at[1], at[2]};
 }
@@ -87,7 +87,7 @@ FacetRegion::Polygon FacetRegion::part(const Polygon& polygon, const Line& line,
         if (at_p <= 0.0) points_.push_back(p);
         if ((at_p < 0.0 && at_q > 0.0) || (at_p > 0.0 && at_q < 0.0)) {
             const double t = at_p / (at_p - at_q);
-            points_.push_back({p.u + t * (q.u - p.u), p.v + t * (q.v - p.v)});
+            points_.push_back(p + t * (q - p));
         }
     }
     result.count = points_.size() - result.first;
@@ -162,8 +162,7 @@ double FacetRegion::flat_area(const Polygon& polygon) const {
     const std::span<const Point> p = corners(polygon);
     double doubled = 0.0;
     for (std::size_t i = 1; i + 1 < p.size(); ++i) {
-        doubled +=
-            (p[i].u - p[0].u) * (p[i + 1].v - p[0].v) - (p[i + 1].u - p[0].u) * (p[i].v - p[0].v);
+        doubled += cross(p[i] - p[0], p[i + 1] - p[0]);
     }
     return 0.5 * std::abs(doubled);
 }

@@ -4,8 +4,9 @@
 // facet's plane, in doubles.
 #pragma once
 
+#include "ncsim/base/vec2.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/plane.h"
-#include "ncsim/cda/vec.h"
 
 #include "exact/half_box.h"
 
@@ -23,13 +24,11 @@ namespace ncsim::cda {
 /// facet must be decided exactly by the caller.
 class FacetRegion {
 public:
-    struct Point {
-        double u = 0, v = 0;
-    };
+    using Point = Vec2;
     /// The half-plane a u + b v <= c.
     struct Line {
         double a = 0, b = 0, c = 0;
-        double above(const Point& p) const { return a * p.u + b * p.v - c; }
+        double above(const Point& p) const { return a * p.x + b * p.y - c; }
     };
     /// Range of corners, in the orientation of the plane's projection.
     struct Polygon {

@@ -8,7 +8,7 @@
 
 #include "ncsim/cda/predicates.h"
 
-#include "base/none.h"
+#include "exact/none.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 // Seidel's linear programming in one, two and three dimensions.
 #include "polytope/linear_program.h"
 
-#include "ncsim/cda/mix.h"
+#include "ncsim/base/mix.h"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +15,21 @@
 namespace ncsim::cda {
 
 namespace {
+
+// The random generator splitmix64. The sequence of a seed is the same everywhere, unlike
+// std::shuffle.
+class SplitMix {
+public:
+    explicit SplitMix(std::uint64_t seed) : state_(seed) {}
+    std::uint64_t next() {
+        const std::uint64_t result = mix(0, state_);
+        state_ += 0x9e3779b97f4a7c15U;
+        return result;
+    }
+
+private:
+    std::uint64_t state_;
+};
 
 // The half-plane a·s + b·t <= c in the coordinates (s, t) of a plane.
 struct Halfplane {

@@ -6,7 +6,7 @@
 // section 4.3, algorithm 3.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <cstdint>
 #include <optional>

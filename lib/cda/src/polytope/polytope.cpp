@@ -3,7 +3,7 @@
 // Exact clipping of polytopes, volume, and consistency.
 #include "ncsim/cda/polytope.h"
 
-#include "base/none.h"
+#include "exact/none.h"
 
 #include <algorithm>
 #include <array>

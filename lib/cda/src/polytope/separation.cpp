@@ -3,8 +3,8 @@
 // Distance of hulls by GJK, common points, and penetration depth.
 #include "ncsim/cda/separation.h"
 
+#include "ncsim/base/int128.h"
 #include "ncsim/cda/hull.h"
-#include "ncsim/cda/int128.h"
 #include "ncsim/cda/intersect.h"
 #include "ncsim/cda/polytope.h"
 

@@ -3,7 +3,7 @@
 // Recorded states of a surface.
 #include "ncsim/cda/surface_recorder.h"
 
-#include "ncsim/cda/mix.h"
+#include "ncsim/base/mix.h"
 
 #include <algorithm>
 #include <bit>

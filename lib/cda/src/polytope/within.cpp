@@ -3,7 +3,7 @@
 // Containment of cells by comparison of planes.
 #include "polytope/within.h"
 
-#include "ncsim/cda/int128.h"
+#include "ncsim/base/int128.h"
 #include "ncsim/cda/polytope.h"
 
 #include <algorithm>

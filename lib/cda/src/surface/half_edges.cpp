@@ -3,7 +3,7 @@
 // Steps 2 to 5 of stitching, see stitch.cpp.
 #include "surface/half_edges.h"
 
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/parallel.h"
 
 #include <algorithm>
 #include <span>

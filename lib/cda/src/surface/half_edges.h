@@ -4,9 +4,9 @@
 // Lines are independent, so threads process them in parallel.
 #pragma once
 
-#include "base/none.h"
 #include "exact/chunks.h"
 #include "exact/groups.h"
+#include "exact/none.h"
 #include "surface/naming.h"
 
 #include <cstddef>

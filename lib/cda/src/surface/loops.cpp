@@ -3,6 +3,8 @@
 // Orientation and containment of loops, with a filter in doubles and rational arithmetic.
 #include "surface/loops.h"
 
+#include "ncsim/base/vec2.h"
+
 #include "exact/wide.h"
 
 #include <gmpxx.h>
@@ -15,9 +17,6 @@ namespace ncsim::cda {
 
 namespace {
 
-struct Flat {
-    double s = 0.0, t = 0.0;
-};
 struct ExactFlat {
     mpq_class s, t;
 };
@@ -50,7 +49,7 @@ public:
         const std::int32_t along = axis == 0 ? plane.nx : axis == 1 ? plane.ny : plane.nz;
         if (along < 0) std::swap(s_, t_);
     }
-    Flat approx(std::uint32_t point) const {
+    Vec2 approx(std::uint32_t point) const {
         const Vec3 p = points_.approx(point);
         return {p[s_], p[t_]};
     }
@@ -75,17 +74,17 @@ int sign(const mpq_class& v) {
 
 int orientation(std::span<const std::uint32_t> loop, const Plane& plane, const LoopPoints& points) {
     const Projection projection(plane, points);
-    const Flat o = projection.approx(loop[0]);
+    const Vec2 o = projection.approx(loop[0]);
     double doubled = 0.0;
     double error = 0.0;
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-        const Flat a = projection.approx(loop[i]);
-        const Flat b = projection.approx(loop[i + 1]);
-        doubled += (a.s - o.s) * (b.t - o.t) - (a.t - o.t) * (b.s - o.s);
+        const Vec2 a = projection.approx(loop[i]);
+        const Vec2 b = projection.approx(loop[i + 1]);
+        doubled += cross(a - o, b - o);
         // Each difference has two coordinate errors; products round far less.
         error += 4.0 * kLoopPointError *
-                 (std::abs(a.s - o.s) + std::abs(b.t - o.t) + std::abs(a.t - o.t) +
-                  std::abs(b.s - o.s) + 1.0);
+                 (std::abs(a.x - o.x) + std::abs(b.y - o.y) + std::abs(a.y - o.y) +
+                  std::abs(b.x - o.x) + 1.0);
     }
     if (doubled > error) return 1;
     if (doubled < -error) return -1;
@@ -103,9 +102,9 @@ int orientation(std::span<const std::uint32_t> loop, const Plane& plane, const L
 bool surrounds(std::span<const std::uint32_t> loop, std::uint32_t tail, std::uint32_t head,
                const Plane& plane, const LoopPoints& points) {
     const Projection projection(plane, points);
-    const Flat from = projection.approx(tail);
-    const Flat to = projection.approx(head);
-    const Flat p{0.5 * (from.s + to.s), 0.5 * (from.t + to.t)};
+    const Vec2 from = projection.approx(tail);
+    const Vec2 to = projection.approx(head);
+    const Vec2 p = 0.5 * (from + to);
     std::optional<ExactFlat> exact_p;
     const auto exactly = [&]() -> const ExactFlat& {
         if (!exact_p) {
@@ -116,22 +115,22 @@ bool surrounds(std::span<const std::uint32_t> loop, std::uint32_t tail, std::uin
         return *exact_p;
     };
     constexpr double kError = 4.0 * kLoopPointError;
-    const auto is_above = [&](std::uint32_t point, const Flat& at) {
-        if (std::abs(at.t - p.t) > kError) return at.t > p.t;
+    const auto is_above = [&](std::uint32_t point, const Vec2& at) {
+        if (std::abs(at.y - p.y) > kError) return at.y > p.y;
         return sign(projection.exact(point).t - exactly().t) > 0;
     };
     bool inside = false;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const std::uint32_t tail_of_edge = loop[i];
         const std::uint32_t head_of_edge = loop[(i + 1) % loop.size()];
-        const Flat a = projection.approx(tail_of_edge);
-        const Flat b = projection.approx(head_of_edge);
+        const Vec2 a = projection.approx(tail_of_edge);
+        const Vec2 b = projection.approx(head_of_edge);
         const bool upwards = is_above(head_of_edge, b);
         if (is_above(tail_of_edge, a) == upwards) continue;
         // Positive: the point is to the left of the edge.
-        const double left = (b.s - a.s) * (p.t - a.t) - (b.t - a.t) * (p.s - a.s);
-        const double error = kError * (std::abs(b.s - a.s) + std::abs(p.t - a.t) +
-                                       std::abs(b.t - a.t) + std::abs(p.s - a.s) + 1.0);
+        const double left = cross(b - a, p - a);
+        const double error = kError * (std::abs(b.x - a.x) + std::abs(p.y - a.y) +
+                                       std::abs(b.y - a.y) + std::abs(p.x - a.x) + 1.0);
         bool is_left = left > 0.0;
         if (std::abs(left) <= error) {
             const ExactFlat ea = projection.exact(tail_of_edge);

@@ -4,9 +4,9 @@
 // rational numbers otherwise.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/plane.h"
 #include "ncsim/cda/predicates.h"
-#include "ncsim/cda/vec.h"
 
 #include <cstdint>
 #include <functional>

@@ -3,7 +3,7 @@
 // Step 1 of stitching, see naming.h.
 #include "surface/naming.h"
 
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/parallel.h"
 
 #include <algorithm>
 #include <numeric>

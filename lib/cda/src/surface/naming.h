@@ -5,10 +5,10 @@
 // few parts are in memory at a time.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/origin.h"
 #include "ncsim/cda/plane.h"
 #include "ncsim/cda/predicates.h"
-#include "ncsim/cda/vec.h"
 
 #include "exact/chunks.h"
 #include "exact/groups.h"

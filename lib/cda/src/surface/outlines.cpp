@@ -3,7 +3,7 @@
 // Storage of outlines, cancellation of pieces, and points in fixed point.
 #include "surface/outlines.h"
 
-#include "base/none.h"
+#include "exact/none.h"
 #include "exact/wide.h"
 
 #include <algorithm>

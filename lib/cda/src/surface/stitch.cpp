@@ -15,13 +15,13 @@
 //  8. write_faces    write faces in an order that depends only on the geometry
 #include "surface/stitch.h"
 
+#include "ncsim/base/disjoint_sets.h"
+#include "ncsim/base/parallel.h"
 #include "ncsim/cda/check.h"
-#include "ncsim/cda/disjoint_sets.h"
-#include "ncsim/cda/parallel.h"
 
-#include "base/none.h"
 #include "exact/chunks.h"
 #include "exact/groups.h"
+#include "exact/none.h"
 #include "surface/half_edges.h"
 #include "surface/loops.h"
 #include "surface/naming.h"

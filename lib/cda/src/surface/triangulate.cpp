@@ -4,10 +4,12 @@
 // corners directly, all others by CGAL's constrained Delaunay triangulation. If rounding to doubles
 // has made edges of a face cross or corners coincide, edges are first divided at their crossings
 // (Chains).
-#include "ncsim/cda/mesh.h"
-#include "ncsim/cda/parallel.h"
+#include "ncsim/cda/triangulate.h"
 
-#include "base/none.h"
+#include "ncsim/base/parallel.h"
+#include "ncsim/base/triangle_mesh.h"
+
+#include "exact/none.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>

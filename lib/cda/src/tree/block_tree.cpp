@@ -3,7 +3,7 @@
 // The tree of a block: nodes, leaves, planes and queries.
 #include "tree/block_tree.h"
 
-#include "base/none.h"
+#include "exact/none.h"
 
 #include <algorithm>
 #include <span>

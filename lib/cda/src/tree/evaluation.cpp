@@ -6,7 +6,7 @@
 // outside of all other sections. Where edges coincide, the same rule applies one dimension lower.
 #include "tree/evaluation.h"
 
-#include "base/none.h"
+#include "exact/none.h"
 #include "tree/domination.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 // are doubles.
 #include "tree/leaf_surface.h"
 
-#include "base/none.h"
+#include "exact/none.h"
 
 #include <algorithm>
 

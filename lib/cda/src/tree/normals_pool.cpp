@@ -3,7 +3,7 @@
 // Search for equal normals by content.
 #include "tree/normals_pool.h"
 
-#include "ncsim/cda/mix.h"
+#include "ncsim/base/mix.h"
 
 #include <algorithm>
 #include <bit>

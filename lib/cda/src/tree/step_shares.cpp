@@ -36,8 +36,7 @@ struct Integral {
 Integral integral(std::span<const Point> p, const Line& line) {
     Integral sum;
     for (std::size_t i = 1; i + 1 < p.size(); ++i) {
-        const double doubled =
-            (p[i].u - p[0].u) * (p[i + 1].v - p[0].v) - (p[i + 1].u - p[0].u) * (p[i].v - p[0].v);
+        const double doubled = cross(p[i] - p[0], p[i + 1] - p[0]);
         const double area = 0.5 * std::abs(doubled);
         sum.area += area;
         sum.value += area * (line.above(p[0]) + line.above(p[i]) + line.above(p[i + 1])) / 3.0;
@@ -58,7 +57,7 @@ void cut_polygon(std::span<const Point> polygon, const Line& line, bool above,
         if (at_p >= 0.0) part.push_back(p);
         if ((at_p < 0.0 && at_q > 0.0) || (at_p > 0.0 && at_q < 0.0)) {
             const double t = at_p / (at_p - at_q);
-            part.push_back({p.u + t * (q.u - p.u), p.v + t * (q.v - p.v)});
+            part.push_back(p + t * (q - p));
         }
     }
 }

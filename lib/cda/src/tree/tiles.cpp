@@ -3,7 +3,7 @@
 // Combination of tiles: headers, volumes, and surfaces stitched from the tiles' outlines.
 #include "ncsim/cda/tiles.h"
 
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/parallel.h"
 
 #include "surface/stitch.h"
 #include "tree/tile_bytes.h"

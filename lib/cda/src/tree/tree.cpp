@@ -3,9 +3,10 @@
 // The tree as a workpiece: construction, copies, blocks, tiles.
 #include "ncsim/cda/tree.h"
 
-#include "ncsim/cda/mesh.h"
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/parallel.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/polytope.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "surface/stitch.h"
 #include "tree/block.h"

@@ -2,8 +2,8 @@
 //
 // Cells before insertion: cells wait, block by block, until a query concerns their place or the
 // tool has left the block.
-#include "ncsim/cda/mix.h"
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/mix.h"
+#include "ncsim/base/parallel.h"
 #include "ncsim/cda/tree.h"
 
 #include "polytope/within.h"

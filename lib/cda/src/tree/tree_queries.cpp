@@ -2,7 +2,7 @@
 //
 // Queries of the part: volume, surface, containment of a point, intersection with a cell. Waiting
 // cells are inserted only where the query needs them.
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/parallel.h"
 #include "ncsim/cda/tree.h"
 
 #include "exact/query_point.h"

@@ -5,7 +5,7 @@
 
 #include "ncsim/brep/part_shading.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 
 #include "render/palette.h"
 
@@ -23,20 +23,20 @@ namespace ncsim::exporter {
 class CornerNormals {
 public:
     /// Requires: all arguments outlive the object.
-    CornerNormals(const cda::Boundary& boundary, const Provenance& provenance,
+    CornerNormals(const cda::Boundary& boundary, const mesh::Provenance& provenance,
                   const Palette& palette, const brep::Shading& shading);
 
     /// Returns the unit normal of `face` at `point`. `vertex` is the vertex of the boundary at
     /// `point`, or any larger number for a point inside the face.
-    cda::Vec3 at(std::uint32_t face, std::uint32_t vertex, cda::Vec3 point) const;
+    Vec3 at(std::uint32_t face, std::uint32_t vertex, Vec3 point) const;
 
 private:
-    cda::Vec3 area_vector(const cda::BoundaryFace& face) const;
+    Vec3 area_vector(const cda::BoundaryFace& face) const;
 
     const cda::Boundary& boundary_;
     const brep::Shading& shading_;
     std::vector<std::size_t> maker_;    // rank of each face's tool; 0: the stock
-    std::vector<cda::Vec3> weighted_;   // area vector of each face
+    std::vector<Vec3> weighted_;        // area vector of each face
     std::vector<std::uint32_t> first_;  // for each vertex, start of the faces in `faces_`
     std::vector<std::uint32_t> faces_;
 };

@@ -3,7 +3,7 @@
 // Extents, placement, chords and titles of sections on a drawing.
 #include "formats/drawing_parts.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "formats/file_text.h"
 
@@ -13,8 +13,6 @@
 #include <cmath>
 
 namespace ncsim::exporter {
-
-using brep::FlatPoint;
 
 std::string drawn(double number) {
     std::array<char, 64> digits{};
@@ -29,11 +27,11 @@ std::string drawn(double number) {
     return text == "-0" ? "0" : text;
 }
 
-void DrawnBox::add(FlatPoint p) {
-    left = std::min(left, p.u);
-    right = std::max(right, p.u);
-    bottom = std::min(bottom, p.v);
-    top = std::max(top, p.v);
+void DrawnBox::add(Vec2 p) {
+    left = std::min(left, p.x);
+    right = std::max(right, p.x);
+    bottom = std::min(bottom, p.y);
+    top = std::max(top, p.y);
 }
 
 void DrawnBox::add(const DrawnBox& box, double moved) {
@@ -44,9 +42,9 @@ void DrawnBox::add(const DrawnBox& box, double moved) {
 
 DrawnBox box_of(const brep::Section& section) {
     DrawnBox box;
-    const auto around = [&](FlatPoint centre, double radius) {
-        box.add({centre.u - radius, centre.v - radius});
-        box.add({centre.u + radius, centre.v + radius});
+    const auto around = [&](Vec2 centre, double radius) {
+        box.add({centre.x - radius, centre.y - radius});
+        box.add({centre.x + radius, centre.y + radius});
     };
     for (const brep::Outline& outline : section.outlines) {
         for (const brep::SectionPiece& piece : outline) {
@@ -55,11 +53,10 @@ DrawnBox box_of(const brep::Section& section) {
             if (const auto* arc = std::get_if<brep::FlatArc>(&piece.curve)) {
                 if (piece.from == piece.to) around(arc->centre, arc->radius);
             } else if (const auto* e = std::get_if<brep::FlatEllipse>(&piece.curve)) {
-                if (piece.from == piece.to)
-                    around(e->centre, trig::length_of(e->major.u, e->major.v));
+                if (piece.from == piece.to) around(e->centre, hypotenuse(e->major.x, e->major.y));
             }
             if (piece.from == piece.to) continue;
-            for (const FlatPoint& p : chords_of(piece))
+            for (const Vec2& p : chords_of(piece))
                 box.add(p);
         }
     }
@@ -73,7 +70,7 @@ std::vector<double> places_of(const std::vector<DrawnSection>& sections) {
     for (const DrawnSection& drawn : sections) {
         DrawnBox box = box_of(*drawn.section);
         // An empty section has a title, which needs a place.
-        if (box.is_empty()) box.add(FlatPoint{});
+        if (box.is_empty()) box.add(Vec2{});
         // Whole millimetres keep the coordinates readable.
         const double place = places.empty() ? 0.0 : std::ceil(right + kApart - box.left);
         places.push_back(place);
@@ -90,26 +87,26 @@ DrawnBox box_of(const std::vector<DrawnSection>& sections) {
     return box;
 }
 
-double angle_about(FlatPoint centre, FlatPoint p) {
-    const double angle = trig::angle_of(p.u - centre.u, p.v - centre.v);
+double angle_about(Vec2 centre, Vec2 p) {
+    const double angle = angle_of(p.x - centre.x, p.y - centre.y);
     return angle < 0.0 ? angle + 360.0 : angle;
 }
 
-std::vector<FlatPoint> chords_of(const brep::SectionPiece& piece) {
-    std::vector<FlatPoint> points;
+std::vector<Vec2> chords_of(const brep::SectionPiece& piece) {
+    std::vector<Vec2> points;
     // Appends points on centre + cos(a) x + sin(a) y for `a` between `start` and `end`, in degrees.
-    const auto go = [&](FlatPoint c, FlatPoint x, FlatPoint y, double start, double end,
-                        bool is_ccw, double radius) {
+    const auto go = [&](Vec2 c, Vec2 x, Vec2 y, double start, double end, bool is_ccw,
+                        double radius) {
         double turn = is_ccw ? end - start : start - end;
         while (turn <= 0.0)
             turn += 360.0;
         // The error of a chord over the angle a is r (1 - cos(a / 2)), about r a² / 8.
         const double most = std::sqrt(8.0 * brep::kChordsMm / std::max(radius, brep::kChordsMm)) /
-                            trig::kRadiansPerDegree;
+                            kRadiansPerDegree;
         const int steps = std::max(1, static_cast<int>(std::ceil(turn / most)));
         for (int i = 1; i < steps; ++i) {
-            const auto t = trig::sin_cos(start + (is_ccw ? turn : -turn) * i / steps);
-            points.push_back({c.u + t.cos * x.u + t.sin * y.u, c.v + t.cos * x.v + t.sin * y.v});
+            const auto t = sin_cos(start + (is_ccw ? turn : -turn) * i / steps);
+            points.push_back({c.x + t.cos * x.x + t.sin * y.x, c.y + t.cos * x.y + t.sin * y.y});
         }
     };
     if (const auto* arc = std::get_if<brep::FlatArc>(&piece.curve)) {
@@ -117,14 +114,13 @@ std::vector<FlatPoint> chords_of(const brep::SectionPiece& piece) {
            angle_about(arc->centre, piece.from), angle_about(arc->centre, piece.to), arc->is_ccw,
            arc->radius);
     } else if (const auto* e = std::get_if<brep::FlatEllipse>(&piece.curve)) {
-        const double major = trig::length_of(e->major.u, e->major.v);
+        const double major = hypotenuse(e->major.x, e->major.y);
         const double ratio = e->minor_radius / major;
-        const FlatPoint minor{-ratio * e->major.v, ratio * e->major.u};
-        const auto place = [&](FlatPoint p) {
-            const double u = p.u - e->centre.u, v = p.v - e->centre.v;
-            return trig::angle_of(
-                (u * e->major.u + v * e->major.v) / (major * major),
-                (u * minor.u + v * minor.v) / (e->minor_radius * e->minor_radius));
+        const Vec2 minor{-ratio * e->major.y, ratio * e->major.x};
+        const auto place = [&](Vec2 p) {
+            const double u = p.x - e->centre.x, v = p.y - e->centre.y;
+            return angle_of((u * e->major.x + v * e->major.y) / (major * major),
+                            (u * minor.x + v * minor.y) / (e->minor_radius * e->minor_radius));
         };
         go(e->centre, e->major, minor, place(piece.from), place(piece.to), e->is_ccw, major);
     } else if (const auto* chords = std::get_if<brep::FlatChords>(&piece.curve)) {

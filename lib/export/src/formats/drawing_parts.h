@@ -3,6 +3,7 @@
 // Functions that the drawings of all formats share.
 #pragma once
 
+#include "ncsim/base/vec2.h"
 #include "ncsim/export/drawing.h"
 
 #include "render/palette.h"
@@ -21,7 +22,7 @@ struct DrawnBox {
     double left = std::numeric_limits<double>::infinity(), bottom = left;
     double right = -left, top = -left;
     bool is_empty() const { return left > right; }
-    void add(brep::FlatPoint p);
+    void add(Vec2 p);
     void add(const DrawnBox& box, double moved);
 };
 
@@ -32,10 +33,10 @@ DrawnBox box_of(const std::vector<DrawnSection>& sections);
 
 /// Returns points of `piece` after its start, in order, ending with its end. The points are close
 /// enough to keep the chords within brep::kChordsMm of the curve.
-std::vector<brep::FlatPoint> chords_of(const brep::SectionPiece& piece);
+std::vector<Vec2> chords_of(const brep::SectionPiece& piece);
 
 /// Returns the angle of `p` about `centre`, in degrees in [0, 360).
-double angle_about(brep::FlatPoint centre, brep::FlatPoint p);
+double angle_about(Vec2 centre, Vec2 p);
 
 /// Returns the title of `section`, such as "Z-4 of part.nc, moved by 60, of facets". `moved` is in
 /// mm.

@@ -14,8 +14,6 @@ namespace ncsim::exporter {
 
 namespace {
 
-using brep::FlatPoint;
-
 // AutoCAD colour numbers: black or white for stock and notes, and grey for facets.
 constexpr int kPlain = 7, kGrey = 8;
 
@@ -71,9 +69,9 @@ private:
     void group(int code, const std::string& value) {
         text_ += std::to_string(code) + "\n" + value + "\n";
     }
-    void point(int code, FlatPoint p) {
-        group(code, drawn(p.u));
-        group(code + 10, drawn(p.v));
+    void point(int code, Vec2 p) {
+        group(code, drawn(p.x));
+        group(code + 10, drawn(p.y));
         group(code + 20, "0");
     }
 
@@ -86,7 +84,7 @@ private:
         group(9, "$INSUNITS");
         group(70, "4");
         DrawnBox box = box_of(sections_);
-        if (box.is_empty()) box.add(FlatPoint{});
+        if (box.is_empty()) box.add(Vec2{});
         group(9, "$EXTMIN");
         point(10, {box.left, box.bottom});
         group(9, "$EXTMAX");
@@ -161,7 +159,7 @@ private:
         group(1, ascii(title_of(section, places_[number_], program_)));
     }
 
-    FlatPoint moved(FlatPoint p) const { return {p.u + places_[number_], p.v}; }
+    Vec2 moved(Vec2 p) const { return {p.x + places_[number_], p.y}; }
 
     void entity(const std::string& kind, const std::string& layer) {
         group(0, kind);
@@ -182,8 +180,8 @@ private:
             return;
         }
         // R12 has neither ellipses nor splines, and OpenSCAD leaves out POLYLINE.
-        FlatPoint from = piece.from;
-        for (const FlatPoint& to : chords_of(piece)) {
+        Vec2 from = piece.from;
+        for (const Vec2& to : chords_of(piece)) {
             entity("LINE", on);
             point(10, moved(from));
             point(11, moved(to));

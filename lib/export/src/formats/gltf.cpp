@@ -8,13 +8,14 @@
 //     accessor for each stream of each primitive.
 #include "ncsim/export/gltf.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/shape.h"
+#include "ncsim/cda/triangulate.h"
+#include "ncsim/mesh/float_mesh.h"
 
 #include "formats/corner_normals.h"
 #include "formats/file_text.h"
 #include "formats/gltf_model.h"
-#include "mesh/float_mesh.h"
 #include "render/palette.h"
 
 #include <algorithm>
@@ -37,8 +38,8 @@ namespace {
 struct Primitive {
     FaceSource maker{{}};
     std::vector<std::uint32_t> indices;
-    std::vector<FloatPoint> positions;
-    std::vector<FloatPoint> normals;
+    std::vector<mesh::FloatPoint> positions;
+    std::vector<mesh::FloatPoint> normals;
     std::vector<float> lines;
     std::vector<float> tools;
 
@@ -46,13 +47,13 @@ struct Primitive {
     std::vector<std::uint32_t> last_at;  // for each point, the latest vertex
     std::vector<std::uint32_t> before;   // for each vertex, the preceding vertex at the same point
 
-    std::uint32_t vertex(std::uint32_t point, const FloatPoint& position, const FloatPoint& normal,
-                         Provenance::Entry entry);
+    std::uint32_t vertex(std::uint32_t point, const mesh::FloatPoint& position,
+                         const mesh::FloatPoint& normal, mesh::Provenance::Entry entry);
 };
 
 // Returns the vertex at `point` with this normal and line; adds the vertex if there is none.
-std::uint32_t Primitive::vertex(std::uint32_t point, const FloatPoint& position,
-                                const FloatPoint& normal, Provenance::Entry entry) {
+std::uint32_t Primitive::vertex(std::uint32_t point, const mesh::FloatPoint& position,
+                                const mesh::FloatPoint& normal, mesh::Provenance::Entry entry) {
     const auto line = static_cast<float>(entry.nc_line);
     for (std::uint32_t v = last_at[point]; v != kNone; v = before[v]) {
         if (normals[v] == normal && lines[v] == line) return v;
@@ -67,7 +68,7 @@ std::uint32_t Primitive::vertex(std::uint32_t point, const FloatPoint& position,
 }
 
 // Returns the primitives with at least one triangle (steps 1 and 2).
-std::vector<Primitive> primitives(const PartMesh& part, const Provenance& provenance,
+std::vector<Primitive> primitives(const PartMesh& part, const mesh::Provenance& provenance,
                                   const Palette& palette) {
     const auto& [boundary, mesh, centre, shading] = part;
     std::vector<Primitive> all(palette.face_sources().size());
@@ -83,14 +84,14 @@ std::vector<Primitive> primitives(const PartMesh& part, const Provenance& proven
         if (mesh.face[t] != current_face) local.clear();
         current_face = mesh.face[t];
         const cda::BoundaryFace& face = boundary.faces[current_face];
-        const Provenance::Entry entry = provenance.of(face.origin);
+        const mesh::Provenance::Entry entry = provenance.of(face.origin);
         Primitive& primitive = all[palette.rank(entry)];
         for (const std::uint32_t point : mesh.triangles[t]) {
             const auto [found, is_new] = local.try_emplace(point, 0);
             if (is_new) {
-                const FloatPoint& p = mesh.points[point];
-                const FloatPoint normal = to_floats(normals.at(
-                    current_face, mesh.vertex[point], centre + cda::Vec3{p[0], p[1], p[2]}));
+                const mesh::FloatPoint& p = mesh.points[point];
+                const mesh::FloatPoint normal = mesh::to_floats(
+                    normals.at(current_face, mesh.vertex[point], centre + Vec3{p[0], p[1], p[2]}));
                 found->second = primitive.vertex(point, p, normal, entry);
             }
             primitive.indices.push_back(found->second);
@@ -129,7 +130,7 @@ tinygltf::Mesh mesh_of(const std::vector<Primitive>& primitives, const Palette& 
 
 // Returns a node that converts mm relative to `centre`, z up, to metres, y up: x stays, z becomes
 // y, y becomes -z.
-tinygltf::Node node_of(cda::Vec3 centre) {
+tinygltf::Node node_of(Vec3 centre) {
     constexpr double kMetres = 0.001;
     const double half_root = std::sqrt(0.5);
     tinygltf::Node node;
@@ -142,7 +143,7 @@ tinygltf::Node node_of(cda::Vec3 centre) {
 }
 
 // Returns the text of each line that cut a remaining face, by line number.
-tinygltf::Value text_of_lines(const cda::Boundary& boundary, const Provenance& provenance) {
+tinygltf::Value text_of_lines(const cda::Boundary& boundary, const mesh::Provenance& provenance) {
     tinygltf::Value::Object lines;
     for (const cda::BoundaryFace& face : boundary.faces) {
         const auto found = provenance.text.find(provenance.of(face.origin).nc_line);
@@ -164,11 +165,11 @@ void check_size(const std::vector<Primitive>& primitives) {
 
 // Rounds each vertex independently of all others, so two files round a shared vertex to the same
 // floats. Omits triangles with two equal corners.
-FloatMesh round_vertices(const cda::TriangleMesh& mesh, cda::Vec3 centre) {
-    FloatMesh result;
+mesh::FloatMesh round_vertices(const TriangleMesh& mesh, Vec3 centre) {
+    mesh::FloatMesh result;
     result.points.reserve(mesh.vertices.size());
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-        result.points.push_back(to_floats(mesh.vertices[v] - centre));
+        result.points.push_back(mesh::to_floats(mesh.vertices[v] - centre));
         result.vertex.push_back(v);
     }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -183,8 +184,8 @@ FloatMesh round_vertices(const cda::TriangleMesh& mesh, cda::Vec3 centre) {
 
 }  // namespace
 
-cda::Vec3 whole_centre(const cda::Boundary& boundary) {
-    const cda::Vec3 centre = cda::bounds(boundary).centre();
+Vec3 whole_centre(const cda::Boundary& boundary) {
+    const Vec3 centre = cda::bounds(boundary).centre();
     return {std::round(centre.x), std::round(centre.y), std::round(centre.z)};
 }
 
@@ -199,7 +200,7 @@ tinygltf::Material plain_material(const std::string& name, Rgba8 colour) {
     return result;
 }
 
-tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& provenance) {
+tinygltf::Model model_of(const cda::Boundary& boundary, const mesh::Provenance& provenance) {
     tinygltf::Model model;
     model.asset.version = "2.0";
     model.asset.generator = "ncsim";
@@ -221,7 +222,7 @@ tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& proven
 }
 
 std::optional<int> add_part(tinygltf::Model& model, const PartMesh& part,
-                            const Provenance& provenance) {
+                            const mesh::Provenance& provenance) {
     const Palette palette(provenance);
     const std::vector<Primitive> parts = primitives(part, provenance, palette);
     check_size(parts);
@@ -240,7 +241,7 @@ void write_model(std::ostream& out, tinygltf::Model& model) {
 
 namespace {
 
-void write_mesh(std::ostream& out, const PartMesh& part, const Provenance& provenance) {
+void write_mesh(std::ostream& out, const PartMesh& part, const mesh::Provenance& provenance) {
     tinygltf::Model model = model_of(part.boundary, provenance);
     if (add_part(model, part, provenance)) {
         model.nodes.push_back(node_of(part.centre));
@@ -251,19 +252,21 @@ void write_mesh(std::ostream& out, const PartMesh& part, const Provenance& prove
 
 }  // namespace
 
-void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                std::size_t threads, const brep::Shading& shading) {
-    const cda::Vec3 centre = whole_centre(boundary);
-    const FloatMesh mesh = round_to_floats(cda::triangulate(boundary, threads), centre, threads);
+void write_gltf(std::ostream& out, const cda::Boundary& boundary,
+                const mesh::Provenance& provenance, std::size_t threads,
+                const brep::Shading& shading) {
+    const Vec3 centre = whole_centre(boundary);
+    const mesh::FloatMesh mesh =
+        mesh::round_to_floats(cda::triangulate(boundary, threads), centre, threads);
     write_mesh(out, {boundary, mesh, centre, shading}, provenance);
 }
 
-std::vector<FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& piece,
-                                        const Provenance& provenance, cda::Vec3 centre,
-                                        const brep::Shading& shading) {
-    const FloatMesh mesh = round_vertices(cda::triangulate(piece), centre);
+std::vector<mesh::FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& piece,
+                                              const mesh::Provenance& provenance, Vec3 centre,
+                                              const brep::Shading& shading) {
+    const mesh::FloatMesh mesh = round_vertices(cda::triangulate(piece), centre);
     write_mesh(out, {piece, mesh, centre, shading}, provenance);
-    Seams seams;
+    mesh::Seams seams;
     for (const auto& corners : mesh.triangles) {
         for (std::size_t i = 0; i < 3; ++i)
             seams.add({mesh.points[corners[i]], mesh.points[corners[(i + 1) % 3]]});

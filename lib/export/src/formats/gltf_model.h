@@ -6,9 +6,8 @@
 #include "ncsim/brep/part_shading.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/image.h"
-#include "ncsim/export/provenance.h"
-
-#include "mesh/float_mesh.h"
+#include "ncsim/mesh/float_mesh.h"
+#include "ncsim/mesh/provenance.h"
 
 #include <tiny_gltf.h>
 
@@ -76,18 +75,20 @@ public:
         return pack(values, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR,
                     TINYGLTF_TARGET_ARRAY_BUFFER);
     }
-    int pack_points(const std::vector<FloatPoint>& points) {
+    int pack_points(const std::vector<mesh::FloatPoint>& points) {
         return pack(points, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3,
                     TINYGLTF_TARGET_ARRAY_BUFFER);
     }
     /// Adds positions with their bounds, as glTF requires.
-    int pack_positions(const std::vector<FloatPoint>& points) {
+    int pack_positions(const std::vector<mesh::FloatPoint>& points) {
         const int number = pack_points(points);
         tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(number)];
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto [least, greatest] = std::minmax_element(
-                points.begin(), points.end(),
-                [&](const FloatPoint& a, const FloatPoint& b) { return a[axis] < b[axis]; });
+            const auto [least, greatest] =
+                std::minmax_element(points.begin(), points.end(),
+                                    [&](const mesh::FloatPoint& a, const mesh::FloatPoint& b) {
+                                        return a[axis] < b[axis];
+                                    });
             accessor.minValues.push_back(static_cast<double>((*least)[axis]));
             accessor.maxValues.push_back(static_cast<double>((*greatest)[axis]));
         }
@@ -105,7 +106,7 @@ public:
         return number;
     }
     /// Adds translations or scales of nodes.
-    int pack_places(const std::vector<FloatPoint>& places) {
+    int pack_places(const std::vector<mesh::FloatPoint>& places) {
         return pack(places, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, kNoTarget);
     }
     /// Adds rotations of nodes as quaternions.
@@ -140,22 +141,22 @@ private:
 /// The surface of a part and its triangles in floats.
 struct PartMesh {
     const cda::Boundary& boundary;
-    const FloatMesh& mesh;  ///< Triangles of `boundary`, relative to `centre`.
-    cda::Vec3 centre;       ///< In mm, W.
+    const mesh::FloatMesh& mesh;  ///< Triangles of `boundary`, relative to `centre`.
+    Vec3 centre;                  ///< In mm, W.
     const brep::Shading& shading;
 };
 
 /// Returns a model whose asset names ncsim, the program and the unit, with the text of each line
 /// that cut a remaining face.
-tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& provenance);
+tinygltf::Model model_of(const cda::Boundary& boundary, const mesh::Provenance& provenance);
 /// Adds the part, with a primitive for each tool.
 /// Returns: the number of the mesh; nullopt if the part is empty.
 /// Throws: std::runtime_error if the part is too large for the format.
 std::optional<int> add_part(tinygltf::Model& model, const PartMesh& part,
-                            const Provenance& provenance);
+                            const mesh::Provenance& provenance);
 /// Returns the centre of the part rounded to whole mm, so positions with few decimals keep few
 /// decimals.
-cda::Vec3 whole_centre(const cda::Boundary& boundary);
+Vec3 whole_centre(const cda::Boundary& boundary);
 /// Returns a material with `colour` (sRGB) and without gloss.
 tinygltf::Material plain_material(const std::string& name, Rgba8 colour);
 /// Throws: std::runtime_error if the stream fails.

@@ -2,9 +2,9 @@
 //
 // A machine as glTF: node 0 converts mm to metres, node i + 1 is node i of the scene, and the part
 // is last.
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/angles.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/export/gltf.h"
-#include "ncsim/trig/angles.h"
 
 #include "formats/file_text.h"
 #include "formats/gltf_model.h"
@@ -19,7 +19,6 @@ namespace ncsim::exporter {
 
 namespace {
 
-using cda::Vec3;
 using Extra = tinygltf::Value;
 
 using Quaternion = std::array<float, 4>;
@@ -36,7 +35,7 @@ void add_components(Extra::Object& specified, const std::string& name, Vec3 v) {
 }
 
 std::array<double, 4> turn_of(const SceneJoint& joint, double degrees) {
-    const trig::SinCos half = trig::sin_cos(0.5 * degrees);
+    const SinCos half = sin_cos(0.5 * degrees);
     const Vec3 axis = half.sin * joint.direction;
     return {axis.x, axis.y, axis.z, half.cos};
 }
@@ -142,9 +141,9 @@ private:
             primitive.mode = TINYGLTF_MODE_TRIANGLES;
             primitive.material = static_cast<int>(model_.materials.size());
             model_.materials.push_back(plain_material(mesh.name, body.colour));
-            std::vector<FloatPoint> points;
+            std::vector<mesh::FloatPoint> points;
             for (const Vec3& p : body.surface.vertices)
-                points.push_back(to_floats(p - from.origin));
+                points.push_back(mesh::to_floats(p - from.origin));
             std::vector<std::uint32_t> indices;
             for (const auto& triangle : cda::triangulate(body.surface).triangles)
                 indices.insert(indices.end(), triangle.begin(), triangle.end());
@@ -213,17 +212,18 @@ private:
             add_channel(animation, target, "rotation", "LINEAR", times, packer_.pack_turns(turns));
             return;
         }
-        std::vector<FloatPoint> places;
-        make_samples(keys, times, places, [&](double mm) { return to_floats(place_of(node, mm)); });
+        std::vector<mesh::FloatPoint> places;
+        make_samples(keys, times, places,
+                     [&](double mm) { return mesh::to_floats(place_of(node, mm)); });
         add_channel(animation, target, "translation", "LINEAR", times, packer_.pack_places(places));
     }
 
     void add_visibility(const SceneNode& node, int target, tinygltf::Animation& animation) {
         std::vector<float> times;
-        std::vector<FloatPoint> scales;
+        std::vector<mesh::FloatPoint> scales;
         make_samples(visibility_keys(node), times, scales, [](double value) {
             const auto share = static_cast<float>(value);
-            return FloatPoint{share, share, share};
+            return mesh::FloatPoint{share, share, share};
         });
         add_channel(animation, target, "scale", "STEP", times, packer_.pack_places(scales));
     }
@@ -236,10 +236,11 @@ private:
 
 }  // namespace
 
-void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                const MovingScene& scene, const brep::Shading& shading) {
+void write_gltf(std::ostream& out, const cda::Boundary& boundary,
+                const mesh::Provenance& provenance, const MovingScene& scene,
+                const brep::Shading& shading) {
     const Vec3 centre = whole_centre(boundary);
-    const FloatMesh mesh = round_to_floats(cda::triangulate(boundary), centre);
+    const mesh::FloatMesh mesh = mesh::round_to_floats(cda::triangulate(boundary), centre);
     tinygltf::Model model = model_of(boundary, provenance);
     const std::optional<int> part = add_part(model, {boundary, mesh, centre, shading}, provenance);
     SceneModel machine(scene, model);

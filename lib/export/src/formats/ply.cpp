@@ -3,7 +3,8 @@
 // The part as binary PLY.
 #include "ncsim/export/ply.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/cda/boundary.h"
 
 #include "formats/file_text.h"
 #include "render/palette.h"
@@ -30,7 +31,7 @@ void append(std::string& bytes, double number) {
     append(bytes, std::bit_cast<std::uint64_t>(number + 0.0));  // turns -0 into 0
 }
 
-std::string header(const Provenance& provenance, std::size_t vertices, std::size_t faces) {
+std::string header(const mesh::Provenance& provenance, std::size_t vertices, std::size_t faces) {
     return "ply\nformat binary_little_endian 1.0\n"
            "comment made by ncsim from " +
            printable_utf8(provenance.program) +
@@ -48,8 +49,8 @@ std::string header(const Provenance& provenance, std::size_t vertices, std::size
 
 }  // namespace
 
-void write_ply(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
-               const Provenance& provenance) {
+void write_ply(std::ostream& out, const cda::Boundary& boundary, const TriangleMesh& mesh,
+               const mesh::Provenance& provenance) {
     const Palette palette(provenance);
     std::string bytes = header(provenance, mesh.vertices.size(), mesh.triangles.size());
     const auto flush = [&](std::size_t limit) {
@@ -57,14 +58,14 @@ void write_ply(std::ostream& out, const cda::Boundary& boundary, const cda::Tria
         out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         bytes.clear();
     };
-    for (const cda::Vec3& p : mesh.vertices) {
+    for (const Vec3& p : mesh.vertices) {
         append(bytes, p.x);
         append(bytes, p.y);
         append(bytes, p.z);
         flush(kFlushSize);
     }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Provenance::Entry entry = provenance.of(boundary.faces[mesh.face[t]].origin);
+        const mesh::Provenance::Entry entry = provenance.of(boundary.faces[mesh.face[t]].origin);
         const Rgba8 colour = palette.colour(entry);
         append(bytes, std::uint8_t{3});
         for (const std::uint32_t vertex : mesh.triangles[t])

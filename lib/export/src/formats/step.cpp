@@ -10,7 +10,7 @@
 #include "ncsim/brep/parameter_curve.h"
 #include "ncsim/brep/patch.h"
 #include "ncsim/cda/shape.h"
-#include "ncsim/export/simplify.h"
+#include "ncsim/mesh/simplify.h"
 
 #include "formats/file_text.h"
 #include "render/palette.h"
@@ -34,7 +34,6 @@ namespace ncsim::exporter {
 
 namespace {
 
-using cda::Vec3;
 using Entity = std::uint64_t;  // number after #
 
 // Smallest uncertainty in a file, in mm: readers identify points that are nearer. The value is
@@ -111,7 +110,7 @@ std::string uncertainty_of(const brep::Part& part) {
 
 class StepWriter {
 public:
-    StepWriter(std::ostream& out, const brep::Part& part, const Provenance& provenance,
+    StepWriter(std::ostream& out, const brep::Part& part, const mesh::Provenance& provenance,
                const StepOptions& options)
         : out_(out),
           part_(part),
@@ -374,7 +373,7 @@ private:
     }
 
     Entity curve_of(const brep::Line&, const brep::Edge& e, const Vertex& from) {
-        const Vec3 along = cda::normalized(part_.vertices[e.to] - part_.vertices[e.from]);
+        const Vec3 along = normalized(part_.vertices[e.to] - part_.vertices[e.from]);
         const Entity vector = add("VECTOR(''," + ref(direction(along)) + ",1.)");
         return add("LINE(''," + ref(from.point) + "," + ref(vector) + ")");
     }
@@ -382,7 +381,7 @@ private:
     // The parameter of the circle is 0 at the start of the edge.
     Entity curve_of(const brep::Circle& c, const brep::Edge& e, const Vertex&) {
         const Vec3 out = part_.vertices[e.from] - c.centre;
-        const Vec3 x = cda::normalized(out - cda::dot(out, c.axis) * c.axis);
+        const Vec3 x = normalized(out - dot(out, c.axis) * c.axis);
         return add("CIRCLE(''," + ref(placement(c.centre, c.axis, x)) + "," + real(c.radius) + ")");
     }
 
@@ -428,7 +427,7 @@ private:
         std::vector<std::uint32_t> lines;
         std::uint32_t earlier = 0;
         for (const cda::Origin origin : face.origins) {
-            const Provenance::Entry entry = provenance_.of(origin);
+            const mesh::Provenance::Entry entry = provenance_.of(origin);
             earlier = std::max(earlier, entry.earlier_program);
             if (entry.earlier_program == 0) lines.push_back(entry.nc_line);
         }
@@ -523,9 +522,9 @@ private:
             if (faces_[f] == 0) continue;
             const brep::Face& face = part_.faces[f];
             const Entity aspect = aspect_of(name_of(face), faces_[f], parts[solids[f]]);
-            const std::array<std::string, 3> words{numbers_of(face, &Provenance::Entry::nc_line),
-                                                   numbers_of(face, &Provenance::Entry::tool),
-                                                   kind_of(face)};
+            const std::array<std::string, 3> words{
+                numbers_of(face, &mesh::Provenance::Entry::nc_line),
+                numbers_of(face, &mesh::Provenance::Entry::tool), kind_of(face)};
             for (std::size_t i = 0; i < words.size(); ++i) {
                 Attribute& a = attributes[i];
                 Entity& value = a.values[words[i]];
@@ -551,11 +550,13 @@ private:
     }
 
     // Returns the lines or tools of the face, ascending; empty for uncut stock.
-    std::string numbers_of(const brep::Face& face, std::uint32_t Provenance::Entry::*number) const {
+    std::string numbers_of(const brep::Face& face,
+                           std::uint32_t mesh::Provenance::Entry::*number) const {
         std::vector<std::uint32_t> numbers;
         for (const cda::Origin origin : face.origins) {
-            const Provenance::Entry entry = provenance_.of(origin);
-            if (entry.nc_line != 0 || (!entry.is_stock() && number == &Provenance::Entry::tool))
+            const mesh::Provenance::Entry entry = provenance_.of(origin);
+            if (entry.nc_line != 0 ||
+                (!entry.is_stock() && number == &mesh::Provenance::Entry::tool))
                 numbers.push_back(entry.*number);
         }
         std::sort(numbers.begin(), numbers.end());
@@ -630,7 +631,7 @@ private:
                    ")");
     }
     Entity surface_of(const brep::Cone& form, const brep::Face& face) {
-        const double height = cda::dot(face.frame.origin - form.apex, form.axis);
+        const double height = dot(face.frame.origin - form.apex, form.axis);
         const double half = brep::half_angle_rad(form);
         return add("CONICAL_SURFACE(''," + place_of(face.frame) + "," + real(form.slope * height) +
                    "," + real(half) + ")");
@@ -649,7 +650,7 @@ private:
     }
     // Writes an exact half circle as a rational cubic.
     Entity half_circle(const brep::Extrusion& form, Vec3 middle) {
-        const Vec3 end = form.radius * cda::cross(form.axis, middle);
+        const Vec3 end = form.radius * cross(form.axis, middle);
         const Vec3 out = (2.0 * form.radius) * middle;
         std::vector<Entity> points;
         for (const Vec3& p : {-end, out - end, out + end, end})
@@ -690,7 +691,7 @@ private:
     // revolution: the arc of its circle from tip to tip, rotated about the axis. The circle begins
     // in the lower tip.
     Entity spindle(const brep::Torus& form, const brep::Frame& frame) {
-        const Vec3 y = cda::cross(frame.axis, frame.x);
+        const Vec3 y = cross(frame.axis, frame.x);
         const double height =
             std::sqrt(std::max(0.0, form.minor * form.minor - form.major * form.major));
         const Vec3 down = (-1.0 / form.minor) * (form.major * frame.x + height * frame.axis);
@@ -699,7 +700,7 @@ private:
         const Entity from = point(frame.origin - height * frame.axis);
         // If both tips are one point, a circle trimmed there would be ambiguous.
         constexpr double kLeastApart = 1e-2, kMost = 175.0;
-        const auto last = trig::sin_cos(kMost);
+        const auto last = sin_cos(kMost);
         const Entity to =
             point(height > kLeastApart * form.minor
                       ? frame.origin + height * frame.axis
@@ -713,7 +714,7 @@ private:
     }
 
     // Returns the style with the colour of the tool.
-    Entity style(Provenance::Entry entry) {
+    Entity style(mesh::Provenance::Entry entry) {
         Entity& made = styles_[palette_.rank(entry)];
         if (made != 0) return made;
         const Rgba8 colour = palette_.colour(entry);
@@ -759,7 +760,7 @@ private:
 
     std::ostream& out_;
     const brep::Part& part_;
-    const Provenance& provenance_;
+    const mesh::Provenance& provenance_;
     StepOptions options_;
     Palette palette_;
     Entity last_ = 0;
@@ -781,7 +782,7 @@ private:
 
 }  // namespace
 
-void write_step_solid(std::ostream& out, const brep::Part& part, const Provenance& provenance,
+void write_step_solid(std::ostream& out, const brep::Part& part, const mesh::Provenance& provenance,
                       const StepOptions& options) {
     if (part.faces.size() > options.max_faces) {
         throw std::runtime_error("the part has " + std::to_string(part.faces.size()) +
@@ -801,13 +802,13 @@ brep::FlatPart flat_solid(const cda::Boundary& boundary, double tolerance_mm) {
     return brep::flat_part([&](double times) {
         const double tolerance =
             times == 1.0 ? tolerance_mm : times * std::max(tolerance_mm, kStepTolerance);
-        Simplified part = simplify(boundary, tolerance);
+        mesh::Simplified part = mesh::simplify(boundary, tolerance);
         return brep::Facets{std::move(part.boundary), std::move(part.origins)};
     });
 }
 
-void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                const StepOptions& options) {
+void write_step(std::ostream& out, const cda::Boundary& boundary,
+                const mesh::Provenance& provenance, const StepOptions& options) {
     const brep::FlatPart flat = flat_solid(boundary, options.tolerance_mm);
     if (!flat.is_sound) throw std::runtime_error(kUnsoundSolid);
     write_step_solid(out, flat.part, provenance, options);

@@ -4,11 +4,11 @@
 // unused bytes; little-endian.
 #include "ncsim/export/stl.h"
 
-#include "ncsim/cda/parallel.h"
+#include "ncsim/base/parallel.h"
 #include "ncsim/cda/shape.h"
+#include "ncsim/mesh/float_mesh.h"
 
 #include "formats/file_text.h"
-#include "mesh/float_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -39,30 +39,30 @@ char* put(char* at, std::uint32_t number) {
     return at;
 }
 
-char* put(char* at, const FloatPoint& point) {
+char* put(char* at, const mesh::FloatPoint& point) {
     for (const float coordinate : point)
         at = put(at, std::bit_cast<std::uint32_t>(coordinate));
     return at;
 }
 
-using Corners = std::array<FloatPoint, 3>;
+using Corners = std::array<mesh::FloatPoint, 3>;
 
 // Returns the normal of the corners as written, so readers that check normals accept the file; zero
 // if the corners are collinear.
-FloatPoint normal_of(const Corners& corners) {
-    const auto widened = [](const FloatPoint& p) {
-        return cda::Vec3{static_cast<double>(p[0]), static_cast<double>(p[1]),
-                         static_cast<double>(p[2])};
+mesh::FloatPoint normal_of(const Corners& corners) {
+    const auto widened = [](const mesh::FloatPoint& p) {
+        return Vec3{static_cast<double>(p[0]), static_cast<double>(p[1]),
+                    static_cast<double>(p[2])};
     };
-    const cda::Vec3 a = widened(corners[0]);
-    return to_floats(cda::normalized(cda::cross(widened(corners[1]) - a, widened(corners[2]) - a)));
+    const Vec3 a = widened(corners[0]);
+    return mesh::to_floats(normalized(cross(widened(corners[1]) - a, widened(corners[2]) - a)));
 }
 
 }  // namespace
 
-void write_stl(std::ostream& out, const cda::TriangleMesh& mesh, std::size_t threads,
+void write_stl(std::ostream& out, const TriangleMesh& mesh, std::size_t threads,
                std::string_view assumed) {
-    const FloatMesh rounded = round_to_floats(mesh, {}, threads);
+    const mesh::FloatMesh rounded = mesh::round_to_floats(mesh, {}, threads);
     if (rounded.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
         throw std::runtime_error("too many triangles for an STL file");
     }
@@ -75,8 +75,8 @@ void write_stl(std::ostream& out, const cda::TriangleMesh& mesh, std::size_t thr
     head.resize(kHeaderSize + sizeof(std::uint32_t), '\0');
     put(head.data() + kHeaderSize, static_cast<std::uint32_t>(rounded.triangles.size()));
     out.write(head.data(), static_cast<std::streamsize>(head.size()));
-    const cda::Runs runs(rounded.triangles.size(), kFlushSize / kRecordSize);
-    cda::make_in_parallel(
+    const Runs runs(rounded.triangles.size(), kFlushSize / kRecordSize);
+    make_in_parallel(
         threads, runs.tasks(),
         [&](std::size_t task) {
             std::string bytes((runs.end(task) - runs.begin(task)) * kRecordSize, '\0');
@@ -85,7 +85,7 @@ void write_stl(std::ostream& out, const cda::TriangleMesh& mesh, std::size_t thr
                 const auto& [a, b, c] = rounded.triangles[t];
                 const Corners corners{rounded.points[a], rounded.points[b], rounded.points[c]};
                 char* next = put(at, normal_of(corners));
-                for (const FloatPoint& corner : corners)
+                for (const mesh::FloatPoint& corner : corners)
                     next = put(next, corner);
                 at += kRecordSize;
             }

@@ -5,7 +5,7 @@
 //
 // The form suits OpenSCAD, too: the view box begins at 0, and the coloured outlines are used from
 // definitions, because OpenSCAD fills each closed outline and widens each line.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "formats/drawing_parts.h"
 #include "formats/file_text.h"
@@ -19,8 +19,6 @@
 namespace ncsim::exporter {
 
 namespace {
-
-using brep::FlatPoint;
 
 std::string hex(Rgba8 colour) {
     constexpr const char* kDigits = "0123456789abcdef";
@@ -39,7 +37,7 @@ public:
 
     std::string operator()() {
         DrawnBox box = box_of(sections_);
-        if (box.is_empty()) box.add(FlatPoint{});
+        if (box.is_empty()) box.add(Vec2{});
         constexpr double kMargin = 5.0, kBelow = 12.0;  // mm
         // Zero of the drawing in the page: whole mm, so that a shift by hand is simple.
         const double zero_x = std::ceil(kMargin - box.left);
@@ -59,7 +57,7 @@ public:
     }
 
 private:
-    static std::string at(FlatPoint p) { return drawn(p.u) + " " + drawn(-p.v); }
+    static std::string at(Vec2 p) { return drawn(p.x) + " " + drawn(-p.y); }
 
     void draw(const DrawnSection& section, double place) {
         const std::string title = xml_text(title_of(section, place, program_));
@@ -98,38 +96,37 @@ private:
         }
         text_ += "</g></defs>\n<use xlink:href=\"#" + name + "\"/>\n";
         DrawnBox box = box_of(*section.section);
-        if (box.is_empty()) box.add(FlatPoint{});
+        if (box.is_empty()) box.add(Vec2{});
         constexpr double kBelow = 8.0;
-        const FlatPoint corner{box.left, box.bottom - kBelow};
-        text_ += "<text font-family=\"sans-serif\" font-size=\"4\" x=\"" + drawn(corner.u) +
-                 "\" y=\"" + drawn(-corner.v) + "\">" + title + "</text>\n</g>\n";
+        const Vec2 corner{box.left, box.bottom - kBelow};
+        text_ += "<text font-family=\"sans-serif\" font-size=\"4\" x=\"" + drawn(corner.x) +
+                 "\" y=\"" + drawn(-corner.y) + "\">" + title + "</text>\n</g>\n";
     }
 
     // Returns the path commands of a piece, from the current point to its end.
     static std::string path_commands(const brep::SectionPiece& piece) {
         if (const auto* arc = std::get_if<brep::FlatArc>(&piece.curve)) {
-            const FlatPoint opposite{2.0 * arc->centre.u - piece.from.u,
-                                     2.0 * arc->centre.v - piece.from.v};
+            const Vec2 opposite{2.0 * arc->centre.x - piece.from.x,
+                                2.0 * arc->centre.y - piece.from.y};
             return arcs(piece, arc->radius, arc->radius, 0.0, arc->is_ccw, opposite,
                         angle_about(arc->centre, piece.from), angle_about(arc->centre, piece.to));
         }
         if (const auto* e = std::get_if<brep::FlatEllipse>(&piece.curve)) {
-            const FlatPoint opposite{2.0 * e->centre.u - piece.from.u,
-                                     2.0 * e->centre.v - piece.from.v};
+            const Vec2 opposite{2.0 * e->centre.x - piece.from.x, 2.0 * e->centre.y - piece.from.y};
             // An arc of more than half the ellipse also spans more than 180° about the centre, so
             // the angles about the centre decide the large-arc flag.
-            return arcs(piece, trig::length_of(e->major.u, e->major.v), e->minor_radius,
-                        -trig::angle_of(e->major.u, e->major.v), e->is_ccw, opposite,
+            return arcs(piece, hypotenuse(e->major.x, e->major.y), e->minor_radius,
+                        -angle_of(e->major.x, e->major.y), e->is_ccw, opposite,
                         angle_about(e->centre, piece.from), angle_about(e->centre, piece.to));
         }
         std::string text;
-        for (const FlatPoint& p : chords_of(piece))
+        for (const Vec2& p : chords_of(piece))
             text += "L" + at(p);
         return text;
     }
 
     static std::string arcs(const brep::SectionPiece& piece, double rx, double ry, double turned,
-                            bool is_ccw, FlatPoint opposite, double start, double end) {
+                            bool is_ccw, Vec2 opposite, double start, double end) {
         const std::string radii = "A" + drawn(rx) + " " + drawn(ry) + " " + drawn(turned) + " ";
         const std::string sweep = is_ccw ? "0 " : "1 ";
         if (piece.from == piece.to)

@@ -4,7 +4,8 @@
 // and the model.
 #include "ncsim/export/threemf.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "formats/file_text.h"
 #include "formats/zip.h"
@@ -64,12 +65,12 @@ void append_materials(std::string& text, const Palette& palette) {
     text += "</basematerials>\n";
 }
 
-void append_object(std::string& text, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
-                   const Provenance& provenance, const Palette& palette) {
+void append_object(std::string& text, const cda::Boundary& boundary, const TriangleMesh& mesh,
+                   const mesh::Provenance& provenance, const Palette& palette) {
     text +=
         "<object id=\"2\" type=\"model\" name=\"part\" pid=\"1\" "
         "pindex=\"0\">\n<mesh>\n<vertices>\n";
-    for (const cda::Vec3& p : mesh.vertices) {
+    for (const Vec3& p : mesh.vertices) {
         text += "<vertex";
         append_attribute(text, "x", p.x);
         append_attribute(text, "y", p.y);
@@ -92,12 +93,13 @@ void append_object(std::string& text, const cda::Boundary& boundary, const cda::
 
 }  // namespace
 
-void write_3mf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
+void write_3mf(std::ostream& out, const cda::Boundary& boundary,
+               const mesh::Provenance& provenance) {
     write_3mf(out, boundary, cda::triangulate(boundary), provenance);
 }
 
-void write_3mf(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
-               const Provenance& provenance) {
+void write_3mf(std::ostream& out, const cda::Boundary& boundary, const TriangleMesh& mesh,
+               const mesh::Provenance& provenance) {
     const Palette palette(provenance);
     std::string model(kModelStart);
     model += "<metadata name=\"Title\">" + xml_text(provenance.program) + "</metadata>\n";

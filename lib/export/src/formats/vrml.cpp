@@ -7,10 +7,10 @@
 #include "ncsim/export/vrml.h"
 
 #include "ncsim/cda/shape.h"
+#include "ncsim/mesh/pieces.h"
 
 #include "formats/file_text.h"
 #include "formats/vrml_scene.h"
-#include "mesh/pieces.h"
 #include "render/palette.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ using FaceIndex = std::uint32_t;
 
 class VrmlWriter {
 public:
-    VrmlWriter(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance)
+    VrmlWriter(std::ostream& out, const cda::Boundary& boundary, const mesh::Provenance& provenance)
         : out_(out),
           boundary_(boundary),
           provenance_(provenance),
@@ -71,7 +71,7 @@ private:
     }
 
     // Writes the part below its parent node, whose frame has its origin at `origin`.
-    void placed_part(const MovingScene& scene, cda::Vec3 origin) {
+    void placed_part(const MovingScene& scene, Vec3 origin) {
         text_ += "DEF PART Transform { translation ";
         append_point(text_, scene.zero - origin);
         text_ += " children [\n";
@@ -98,7 +98,7 @@ private:
         if (!out_) throw std::runtime_error("cannot write VRML: the stream failed");
     }
 
-    Provenance::Entry entry(FaceIndex face) const {
+    mesh::Provenance::Entry entry(FaceIndex face) const {
         return provenance_.of(boundary_.faces[face].origin);
     }
 
@@ -106,8 +106,8 @@ private:
         std::vector<FaceIndex> order(boundary_.faces.size());
         std::iota(order.begin(), order.end(), FaceIndex{0});
         std::stable_sort(order.begin(), order.end(), [&](FaceIndex a, FaceIndex b) {
-            const Provenance::Entry ea = entry(a);
-            const Provenance::Entry eb = entry(b);
+            const mesh::Provenance::Entry ea = entry(a);
+            const mesh::Provenance::Entry eb = entry(b);
             return std::pair(ea.nc_line, ea.tool) < std::pair(eb.nc_line, eb.tool);
         });
         return order;
@@ -180,13 +180,13 @@ private:
         polygons += "-1\n";
     }
 
-    void point(cda::Vec3 p) {
+    void point(Vec3 p) {
         append_point(text_, p);
         text_ += '\n';
     }
 
     // Writes the appearance in full for the first shape of a tool, and by name for later shapes.
-    void appearance(Provenance::Entry by) {
+    void appearance(mesh::Provenance::Entry by) {
         const std::size_t rank = palette_.rank(by);
         const FaceSource& maker = palette_.face_sources()[rank];
         const std::string name =
@@ -208,9 +208,9 @@ private:
 
     std::ostream& out_;
     const cda::Boundary& boundary_;
-    const Provenance& provenance_;
+    const mesh::Provenance& provenance_;
     Palette palette_;
-    Pieces pieces_;
+    mesh::Pieces pieces_;
     std::vector<bool> is_defined_;                          // appearances, by rank of the tool
     std::unordered_map<std::uint32_t, std::size_t> local_;  // vertex → point of this shape
     std::string text_;
@@ -218,12 +218,13 @@ private:
 
 }  // namespace
 
-void write_vrml(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
+void write_vrml(std::ostream& out, const cda::Boundary& boundary,
+                const mesh::Provenance& provenance) {
     VrmlWriter(out, boundary, provenance).write();
 }
 
-void write_vrml(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                const MovingScene& scene) {
+void write_vrml(std::ostream& out, const cda::Boundary& boundary,
+                const mesh::Provenance& provenance, const MovingScene& scene) {
     VrmlWriter(out, boundary, provenance).write(scene);
 }
 

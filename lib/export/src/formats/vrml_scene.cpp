@@ -3,8 +3,8 @@
 // Moving nodes and their interpolators as VRML97.
 #include "formats/vrml_scene.h"
 
-#include "ncsim/cda/mesh.h"
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
+#include "ncsim/cda/triangulate.h"
 
 #include "formats/file_text.h"
 #include "formats/scene_keys.h"
@@ -18,8 +18,6 @@ namespace ncsim::exporter {
 
 namespace {
 
-using cda::Vec3;
-
 // Largest rotation between two keys. Readers rotate the shorter way between two keys, so larger
 // rotations could reverse.
 constexpr double kMaxKeyTurn = 90.0;
@@ -31,7 +29,7 @@ constexpr double kAway = 1e-6;
 void append_turn(std::string& text, const SceneJoint& joint, double degrees) {
     append_point(text, joint.direction);
     text += ' ';
-    append_number(text, trig::kRadiansPerDegree * std::remainder(degrees, 360.0));
+    append_number(text, kRadiansPerDegree * std::remainder(degrees, 360.0));
 }
 
 void append_body(std::string& text, const Body& body, Vec3 origin) {

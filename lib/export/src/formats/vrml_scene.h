@@ -13,7 +13,7 @@
 namespace ncsim::exporter {
 
 /// Appends "1 2 3".
-void append_point(std::string& text, cda::Vec3 p);
+void append_point(std::string& text, Vec3 p);
 /// Appends an Appearance with little gloss.
 void append_appearance(std::string& text, Rgba8 colour);
 
@@ -30,7 +30,7 @@ public:
 
 private:
     std::string name_of(std::size_t number) const;
-    cda::Vec3 place_of(std::size_t number, double value) const;
+    Vec3 place_of(std::size_t number, double value) const;
 
     const MovingScene& scene_;
 };

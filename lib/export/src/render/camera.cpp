@@ -12,8 +12,6 @@ namespace ncsim::exporter {
 
 namespace {
 
-using cda::Vec3;
-
 constexpr std::array<std::pair<std::string_view, View>, 7> kViews{{{"iso", View::Iso},
                                                                    {"top", View::Top},
                                                                    {"front", View::Front},
@@ -46,9 +44,9 @@ Directions directions(View view) {
     return {{0, 0, 1}, {0, 1, 0}};
 }
 
-cda::Box with_size(cda::Box box) {
+Box with_size(Box box) {
     if (box.is_empty()) box.add(Vec3{});
-    if (cda::norm(box.size()) > 0.0) return box;
+    if (norm(box.size()) > 0.0) return box;
     const Vec3 half{0.5, 0.5, 0.5};
     const Vec3 point = box.min;
     box.add(point - half);
@@ -72,15 +70,15 @@ std::string_view name(View view) {
     return {};
 }
 
-Camera fit_camera(const cda::Box& box_or_nothing, View view, double aspect, Projection projection) {
-    const cda::Box box = with_size(box_or_nothing);
+Camera fit_camera(const Box& box_or_nothing, View view, double aspect, Projection projection) {
+    const Box box = with_size(box_or_nothing);
     const auto [back, up] = directions(view);
-    const double diagonal = cda::norm(box.size());
+    const double diagonal = norm(box.size());
     Camera camera;
     camera.target = box.centre();
-    camera.back = cda::normalized(back);
-    camera.right = cda::normalized(cda::cross(up, camera.back));
-    camera.up = cda::cross(camera.back, camera.right);
+    camera.back = normalized(back);
+    camera.right = normalized(cross(up, camera.back));
+    camera.up = cross(camera.back, camera.right);
     camera.depth = 0.51 * diagonal;  // half of the diagonal and a small margin
     camera.distance = projection == Projection::Perspective ? kEyeDiagonals * diagonal : 0.0;
 
@@ -94,9 +92,9 @@ Camera fit_camera(const cda::Box& box_or_nothing, View view, double aspect, Proj
         const Vec3 q = p - camera.target;
         const double scale = camera.is_orthographic()
                                  ? 1.0
-                                 : camera.distance / (camera.distance - cda::dot(q, camera.back));
-        half_width = std::max(half_width, scale * std::abs(cda::dot(q, camera.right)));
-        half_height = std::max(half_height, scale * std::abs(cda::dot(q, camera.up)));
+                                 : camera.distance / (camera.distance - dot(q, camera.back));
+        half_width = std::max(half_width, scale * std::abs(dot(q, camera.right)));
+        half_height = std::max(half_height, scale * std::abs(dot(q, camera.up)));
     }
     const double fitting = std::max(half_height, half_width / aspect);
     // A flat box seen from its edge has neither width nor height.

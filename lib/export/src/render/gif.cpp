@@ -44,12 +44,12 @@ struct Colour {
 };
 
 // Colours that share an entry of the palette.
-struct Box {
+struct ColourBox {
     std::span<Colour> colours;
     std::size_t widest = 0;    // channel
     std::uint64_t spread = 0;  // of that channel, times the number of pixels
 
-    explicit Box(std::span<Colour> of) : colours(of) {
+    explicit ColourBox(std::span<Colour> of) : colours(of) {
         std::uint64_t pixels = 0;
         Rgb low{255, 255, 255};
         Rgb high{};
@@ -66,7 +66,7 @@ struct Box {
         }
     }
 
-    std::pair<Box, Box> halves() const {
+    std::pair<ColourBox, ColourBox> halves() const {
         std::stable_sort(colours.begin(), colours.end(), [&](const Colour& a, const Colour& b) {
             return a.rgb[widest] < b.rgb[widest];
         });
@@ -78,7 +78,7 @@ struct Box {
             if (split > 0 && 2 * below >= pixels) break;
             below += colours[split].count;
         }
-        return {Box(colours.first(split)), Box(colours.subspan(split))};
+        return {ColourBox(colours.first(split)), ColourBox(colours.subspan(split))};
     }
 
     GifColorType mean() const {
@@ -100,11 +100,11 @@ struct Box {
 std::array<GifColorType, 256> palette_for(std::vector<Colour>& colours) {
     std::array<GifColorType, 256> palette{};
     if (colours.empty()) return palette;
-    std::vector<Box> boxes{Box(colours)};
+    std::vector<ColourBox> boxes{ColourBox(colours)};
     while (boxes.size() < kColours) {
-        const auto largest =
-            std::max_element(boxes.begin(), boxes.end(),
-                             [](const Box& a, const Box& b) { return a.spread < b.spread; });
+        const auto largest = std::max_element(
+            boxes.begin(), boxes.end(),
+            [](const ColourBox& a, const ColourBox& b) { return a.spread < b.spread; });
         if (largest->spread == 0) break;
         auto [lower, upper] = largest->halves();
         *largest = lower;

@@ -122,7 +122,7 @@ constexpr double kAdvance = 10.5;
 constexpr double kXScale = 0.64;  // letters are slimmer than their grid
 constexpr double kStroke = 0.85;  // width of a stroke, in units of the grid
 
-double distance(PixelPoint p, PixelPoint a, PixelPoint b) {
+double distance(Vec2 p, Vec2 a, Vec2 b) {
     const double dx = b.x - a.x;
     const double dy = b.y - a.y;
     const double length2 = dx * dx + dy * dy;
@@ -149,7 +149,7 @@ std::string_view glyph(char c) {
 
 }  // namespace
 
-void draw_stroke(Image& image, PixelPoint a, PixelPoint b, double width, Rgba8 colour) {
+void draw_stroke(Image& image, Vec2 a, Vec2 b, double width, Rgba8 colour) {
     const double reach = width / 2.0 + 1.0;
     const auto bound = [](double value, std::uint32_t size) {
         return static_cast<std::uint32_t>(std::clamp(value, 0.0, static_cast<double>(size)));
@@ -177,10 +177,10 @@ void draw_text(Image& image, double x, double y, double height, Rgba8 colour,
         if (is_continuation_byte(c)) continue;
         const std::string_view strokes = glyph(c);
         bool starts = true;
-        PixelPoint last;
+        Vec2 last;
         for (std::size_t i = 0; i + 1 < strokes.size(); i += 3) {
-            const PixelPoint next{x + kXScale * unit * (strokes[i] - '0'),
-                                  y - unit * (strokes[i + 1] - '0' - kBaseLine)};
+            const Vec2 next{x + kXScale * unit * (strokes[i] - '0'),
+                            y - unit * (strokes[i + 1] - '0' - kBaseLine)};
             if (!starts) draw_stroke(image, last, next, kStroke * unit, colour);
             last = next;
             starts = i + 2 < strokes.size() && strokes[i + 2] == ',';

@@ -3,6 +3,7 @@
 // Text drawn like engraving: strokes of constant width with round ends.
 #pragma once
 
+#include "ncsim/base/vec2.h"
 #include "ncsim/export/image.h"
 
 #include <cstdint>
@@ -10,14 +11,12 @@
 
 namespace ncsim::exporter {
 
-/// A point of a picture: x to the right, y downwards, in pixels from the upper left corner.
-struct PixelPoint {
-    double x = 0.0, y = 0.0;
-};
+// A Vec2 is a point of a picture: x to the right, y downwards, in pixels from the upper left
+// corner.
 
 /// Draws a stroke of `width` pixels with round ends and a smooth edge of one pixel. Parts beyond
 /// the picture are clipped.
-void draw_stroke(Image& image, PixelPoint from, PixelPoint to, double width, Rgba8 colour);
+void draw_stroke(Image& image, Vec2 from, Vec2 to, double width, Rgba8 colour);
 
 /// Draws `text` with the lower left corner of its first letter at (x, y) and capitals of `height`
 /// pixels. Text is ASCII; any other UTF-8 character is drawn as a box. Text beyond the picture is

@@ -3,7 +3,7 @@
 // Drawing of axes, program zero, scale and legend over a finished picture.
 #include "ncsim/export/marks.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "render/lettering.h"
 #include "render/palette.h"
@@ -19,8 +19,6 @@
 namespace ncsim::exporter {
 
 namespace {
-
-using cda::Vec3;
 
 // Shares of the height of the strip.
 constexpr double kLetter = 0.13;     // height of capitals
@@ -63,7 +61,7 @@ public:
 
     void axes() {
         const double length = kAxisLength * strip_;
-        const PixelPoint origin{(kStripMargin + 0.36) * strip_, image_.height - 0.46 * strip_};
+        const Vec2 origin{(kStripMargin + 0.36) * strip_, image_.height - 0.46 * strip_};
         std::array<std::size_t, 3> order{0, 1, 2};
         const auto direction = [](std::size_t axis) {
             Vec3 d;
@@ -71,20 +69,19 @@ public:
             return d;
         };
         // The axis that points most towards the eye is drawn last.
-        std::ranges::sort(
-            order, {}, [&](std::size_t axis) { return cda::dot(direction(axis), camera_.back); });
+        std::ranges::sort(order, {},
+                          [&](std::size_t axis) { return dot(direction(axis), camera_.back); });
         for (const std::size_t axis : order) {
-            const double x = cda::dot(direction(axis), camera_.right);
-            const double y = -cda::dot(direction(axis), camera_.up);
-            const PixelPoint end{origin.x + length * x, origin.y + length * y};
+            const double x = dot(direction(axis), camera_.right);
+            const double y = -dot(direction(axis), camera_.up);
+            const Vec2 end{origin.x + length * x, origin.y + length * y};
             const Rgba8 colour = kAxisColours[axis];
             arrow(origin, end, colour);
             // An axis along the line of sight has its letter next to the origin.
-            const double shown = trig::length_of(x, y);
+            const double shown = hypotenuse(x, y);
             const double gap = 0.8 * letter_;
-            const PixelPoint at = shown > 0.2
-                                      ? PixelPoint{end.x + gap * x / shown, end.y + gap * y / shown}
-                                      : PixelPoint{origin.x - 1.1 * gap, origin.y + 1.1 * gap};
+            const Vec2 at = shown > 0.2 ? Vec2{end.x + gap * x / shown, end.y + gap * y / shown}
+                                        : Vec2{origin.x - 1.1 * gap, origin.y + 1.1 * gap};
             const std::string_view name = std::string_view("XYZ").substr(axis, 1);
             draw_text(image_, at.x - 0.5 * text_width(letter_, name), at.y + 0.5 * letter_, letter_,
                       colour, name);
@@ -92,7 +89,7 @@ public:
     }
 
     void zero() {
-        const PixelPoint at = pixel_of({});
+        const Vec2 at = pixel_of({});
         const double radius = 0.75 * letter_;
         circle(at, radius, 2.6 * line_, halo_);
         quarters(at, radius);
@@ -101,13 +98,13 @@ public:
 
     // Draws a ring around the place, and the text in a disc at the ring.
     void place(const MarkedPlace& marked) {
-        const PixelPoint at = pixel_of(marked.point);
+        const Vec2 at = pixel_of(marked.point);
         const double radius = letter_;
         circle(at, radius, 3.2 * line_, halo_);
         circle(at, radius, 1.6 * line_, kPlace);
         if (marked.text.empty()) return;
         const double width = text_width(letter_, marked.text);
-        const PixelPoint label{at.x + radius + 0.5 * width + 0.5 * letter_, at.y - radius};
+        const Vec2 label{at.x + radius + 0.5 * width + 0.5 * letter_, at.y - radius};
         draw_stroke(image_, {label.x - 0.5 * width, label.y}, {label.x + 0.5 * width, label.y},
                     1.8 * letter_, kPlace);
         draw_text(image_, label.x - 0.5 * width + 0.1 * letter_, label.y + 0.5 * letter_, letter_,
@@ -129,10 +126,10 @@ public:
         const double shown =
             round_length(kBar * camera_.height * image_.width / image_.height / marks.mm_per_unit);
         const double length = shown * marks.mm_per_unit * image_.height / camera_.height;
-        const PixelPoint a{right - length, base};
-        const PixelPoint b{right, base};
+        const Vec2 a{right - length, base};
+        const Vec2 b{right, base};
         draw_stroke(image_, a, b, line_, text_);
-        for (const PixelPoint& end : {a, b})
+        for (const Vec2& end : {a, b})
             draw_stroke(image_, {end.x, end.y - 0.4 * letter_}, {end.x, end.y + 0.4 * letter_},
                         line_, text_);
         write_to_the_left(right, base - 0.8 * letter_, fmt::format("{:g} {}", shown, marks.unit));
@@ -210,11 +207,11 @@ private:
     }
 
     // Returns the pixel that shows a point of W.
-    PixelPoint pixel_of(Vec3 p_W) const {
+    Vec2 pixel_of(Vec3 p_W) const {
         const double pixel = camera_.height / image_.height;  // mm
         const Vec3 from_target = p_W - camera_.target;
-        return {0.5 * image_.width + cda::dot(from_target, camera_.right) / pixel,
-                0.5 * image_.height - cda::dot(from_target, camera_.up) / pixel};
+        return {0.5 * image_.width + dot(from_target, camera_.right) / pixel,
+                0.5 * image_.height - dot(from_target, camera_.up) / pixel};
     }
 
     double left_of_legend() const { return (2.0 * kStripMargin + 0.9) * strip_; }
@@ -222,9 +219,9 @@ private:
         return (1.0 - kBar) * image_.width - 2.0 * kStripMargin * strip_;
     }
 
-    void arrow(PixelPoint from, PixelPoint to, Rgba8 colour) {
+    void arrow(Vec2 from, Vec2 to, Rgba8 colour) {
         draw_stroke(image_, from, to, 1.4 * line_, colour);
-        const double length = trig::length_of(to.x - from.x, to.y - from.y);
+        const double length = hypotenuse(to.x - from.x, to.y - from.y);
         if (length < letter_) return;
         const double x = 0.45 * letter_ * (to.x - from.x) / length;
         const double y = 0.45 * letter_ * (to.y - from.y) / length;
@@ -232,12 +229,12 @@ private:
         draw_stroke(image_, to, {to.x - x + 0.6 * y, to.y - y - 0.6 * x}, 1.4 * line_, colour);
     }
 
-    void circle(PixelPoint centre, double radius, double width, Rgba8 colour) {
+    void circle(Vec2 centre, double radius, double width, Rgba8 colour) {
         constexpr int kSides = 32;
-        PixelPoint last{centre.x + radius, centre.y};
+        Vec2 last{centre.x + radius, centre.y};
         for (int i = 1; i <= kSides; ++i) {
-            const trig::SinCos at = trig::sin_cos(360.0 * i / kSides);
-            const PixelPoint next{centre.x + radius * at.cos, centre.y + radius * at.sin};
+            const SinCos at = sin_cos(360.0 * i / kSides);
+            const Vec2 next{centre.x + radius * at.cos, centre.y + radius * at.sin};
             draw_stroke(image_, last, next, width, colour);
             last = next;
         }
@@ -245,7 +242,7 @@ private:
 
     // Fills the upper right and the lower left quarter of a circle with the colour of text, and the
     // others with that of the background.
-    void quarters(PixelPoint centre, double radius) {
+    void quarters(Vec2 centre, double radius) {
         const auto rows = static_cast<int>(std::ceil(4.0 * radius / line_));
         for (int row = 0; row <= rows; ++row) {
             const double y = radius * (2.0 * row / rows - 1.0);
@@ -284,7 +281,7 @@ Camera with_mark_strip(Camera camera, double strip) {
     return camera;
 }
 
-std::vector<std::pair<std::uint32_t, Rgba8>> tool_colours(const Provenance& provenance) {
+std::vector<std::pair<std::uint32_t, Rgba8>> tool_colours(const mesh::Provenance& provenance) {
     const Palette palette(provenance);
     std::vector<std::pair<std::uint32_t, Rgba8>> colours;
     for (const FaceSource& source : palette.face_sources()) {

@@ -3,10 +3,11 @@
 // Projection of paths, bodies and boxes to polygons.
 #include "render/overlay_art.h"
 
-#include "ncsim/cda/mesh.h"
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/cda/triangulate.h"
+#include "ncsim/mesh/open_mesh.h"
 
-#include "mesh/open_mesh.h"
 #include "render/cut_surface.h"
 #include "render/line_scale.h"
 #include "render/palette.h"
@@ -17,8 +18,6 @@
 namespace ncsim::exporter {
 
 namespace {
-
-using cda::Vec3;
 
 // In pixels of a picture with 960 rows (line_scale()).
 constexpr double kLineWidth = 1.6;
@@ -75,7 +74,7 @@ void OverlayArt::add_ghost(const Ghost& ghost) {
     constexpr std::size_t kSurface = 2;
     const double inset = 0.5 * norm(lift_);
     const Vec3 inwards{inset, inset, inset};
-    const cda::Box box{ghost.box.min + inwards, ghost.box.max - inwards};
+    const Box box{ghost.box.min + inwards, ghost.box.max - inwards};
     if (box.is_empty()) return;
     const auto corner = [&](unsigned which) {
         return divided(map_(Vec3{(which & 1U) != 0 ? box.max.x : box.min.x,
@@ -98,7 +97,7 @@ void OverlayArt::add_path(const PathLine& path, std::size_t surface) {
     for (std::size_t i = 1; i < path.points.size(); ++i) {
         const ScreenPoint a = divided(map_(path.points[i - 1] + lift_));
         const ScreenPoint b = divided(map_(path.points[i] + lift_));
-        const double length = trig::length_of(b.x - a.x, b.y - a.y);
+        const double length = hypotenuse(b.x - a.x, b.y - a.y);
         if (!path.is_rapid) {
             add_stroke(a, b, half_width_, surface);
             continue;
@@ -121,7 +120,7 @@ void OverlayArt::add_path(const PathLine& path, std::size_t surface) {
 // Adds a rectangle around the segment, extended by `overhang` at both ends to close corners.
 void OverlayArt::add_stroke(const ScreenPoint& a, const ScreenPoint& b, double overhang,
                             std::size_t surface) {
-    const double length = trig::length_of(b.x - a.x, b.y - a.y);
+    const double length = hypotenuse(b.x - a.x, b.y - a.y);
     const double x = length > 0.0 ? (b.x - a.x) / length : 1.0;
     const double y = length > 0.0 ? (b.y - a.y) / length : 0.0;
     const auto corner = [&](const ScreenPoint& p, double along, double aside) {
@@ -134,17 +133,17 @@ void OverlayArt::add_stroke(const ScreenPoint& a, const ScreenPoint& b, double o
 }
 
 void OverlayArt::add_body(const Body& body, const RenderOptions& options) {
-    cda::TriangleMesh mesh = cda::triangulate(body.surface);
+    TriangleMesh mesh = cda::triangulate(body.surface);
     const std::size_t first = surfaces_.size();
     for (const cda::BoundaryFace& face : body.surface.faces) {
         const Vec3 n_C = map_.direction_in_camera(face.normal);
         const Vec3 point = map_.point_in_camera(body.surface.vertices[face.loops[0][0]]);
-        surfaces_.push_back({n_C, cda::dot(n_C, point), to_linear(body.colour)});
+        surfaces_.push_back({n_C, dot(n_C, point), to_linear(body.colour)});
     }
     if (body.is_cut && options.cut) {
-        const CutPlane& cut = *options.cut;
+        const mesh::CutPlane& cut = *options.cut;
         const auto faces = static_cast<std::uint32_t>(body.surface.faces.size());
-        mesh = open_mesh(mesh, faces, cut).mesh;
+        mesh = mesh::open_mesh(mesh, faces, cut).mesh;
         surfaces_.push_back(cut_surface(map_, cut, to_linear(body.colour), Pattern::BodyHatch));
     }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -43,7 +43,7 @@ private:
     double pixel_;       // samples per pixel, larger in large pictures
     double half_width_;  // half of the width of a line, in samples
     // Towards the eye: a line on a face must be in front of the face over its width.
-    cda::Vec3 lift_;
+    Vec3 lift_;
     std::vector<Surface> surfaces_;
     std::vector<Piece> pieces_;
     std::optional<std::size_t> first_;  // index of surfaces_[0] in the table of the picture

@@ -93,8 +93,8 @@ std::string FaceSource::name() const {
     return text;
 }
 
-Palette::Palette(const Provenance& provenance) : face_sources_{FaceSource({})} {
-    for (const Provenance::Entry& entry : provenance.entries)
+Palette::Palette(const mesh::Provenance& provenance) : face_sources_{FaceSource({})} {
+    for (const mesh::Provenance::Entry& entry : provenance.entries)
         face_sources_.emplace_back(entry);
     std::sort(face_sources_.begin(), face_sources_.end());
     face_sources_.erase(std::unique(face_sources_.begin(), face_sources_.end()),

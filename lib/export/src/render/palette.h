@@ -5,7 +5,7 @@
 #pragma once
 
 #include "ncsim/export/image.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 
 #include <compare>
 #include <cstddef>
@@ -64,7 +64,8 @@ struct FaceSource {
     bool is_tool = false;    ///< False: an uncut face of the stock.
     std::uint32_t tool = 0;  ///< Number of the tool; 0 if the program calls no tool.
 
-    explicit FaceSource(Provenance::Entry entry) : is_tool(!entry.is_stock()), tool(entry.tool) {}
+    explicit FaceSource(mesh::Provenance::Entry entry)
+        : is_tool(!entry.is_stock()), tool(entry.tool) {}
     auto operator<=>(const FaceSource&) const = default;
 
     /// Returns "stock", "T3" or "T0".
@@ -76,16 +77,16 @@ struct FaceSource {
 /// Colours repeat from the ninth tool on. Tool 0 has a colour of its own.
 class Palette {
 public:
-    explicit Palette(const Provenance& provenance);
+    explicit Palette(const mesh::Provenance& provenance);
 
     Rgba8 colour(FaceSource maker) const;
-    Rgba8 colour(Provenance::Entry entry) const { return colour(FaceSource(entry)); }
+    Rgba8 colour(mesh::Provenance::Entry entry) const { return colour(FaceSource(entry)); }
     /// Returns the stock, even without a face of the stock, then the tools in the order of their
     /// numbers.
     const std::vector<FaceSource>& face_sources() const { return face_sources_; }
     /// Returns the position of `maker` in face_sources(); that of the stock for an unknown tool.
     std::size_t rank(FaceSource maker) const;
-    std::size_t rank(Provenance::Entry entry) const { return rank(FaceSource(entry)); }
+    std::size_t rank(mesh::Provenance::Entry entry) const { return rank(FaceSource(entry)); }
 
 private:
     std::vector<FaceSource> face_sources_;

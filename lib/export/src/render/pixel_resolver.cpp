@@ -15,15 +15,13 @@ namespace ncsim::exporter {
 
 namespace {
 
-using cda::Vec3;
-
 // Light in the camera frame, so every view has the same light: a key light from the left, low
 // enough to show the relief of faces that look up, a weak light from the right, a sky, ambient
 // light, and a sheen for milled metal. On a box seen from Iso, the top, the left and the right side
 // get about 0.9, 0.6 and 0.4.
-const Vec3 kKeyLight = cda::normalized({-0.65, 0.38, 0.66});
-const Vec3 kFillLight = cda::normalized({0.70, -0.10, 0.70});
-const Vec3 kMirror = cda::normalized(kKeyLight + Vec3{0, 0, 1});  // reflects the key light
+const Vec3 kKeyLight = normalized({-0.65, 0.38, 0.66});
+const Vec3 kFillLight = normalized({0.70, -0.10, 0.70});
+const Vec3 kMirror = normalized(kKeyLight + Vec3{0, 0, 1});  // reflects the key light
 constexpr double kKey = 0.66;
 constexpr double kFill = 0.15;
 constexpr double kSky = 0.22;
@@ -93,7 +91,7 @@ Resolver::Resolver(const ScreenMap& map, const RenderOptions& options, const Sur
     if (options.cut) prepare_hatches(*options.cut);
 }
 
-void Resolver::prepare_hatches(const CutPlane& cut) {
+void Resolver::prepare_hatches(const mesh::CutPlane& cut) {
     const Vec3 n = map_.direction_in_camera(cut.normal);
     int axis = 0;
     while (axis < 2 && std::abs(cut.normal[axis]) < 0.5)
@@ -101,7 +99,7 @@ void Resolver::prepare_hatches(const CutPlane& cut) {
     Vec3 u, v;
     u[axis == 0 ? 1 : 0] = v[axis == 2 ? 1 : 2] = 1.0;
     const auto hatch = [&](Vec3 across) {
-        const Vec3 d = map_.direction_in_camera(cda::normalized(across));
+        const Vec3 d = map_.direction_in_camera(normalized(across));
         // The depth of the plane changes across the picture, too.
         const double along_x = d.x - d.z * n.x / n.z, along_y = d.y - d.z * n.y / n.z;
         return Hatch{d, std::sqrt(along_x * along_x + along_y * along_y)};
@@ -111,10 +109,9 @@ void Resolver::prepare_hatches(const CutPlane& cut) {
 }
 
 Resolver::Lighting Resolver::lighting(Vec3 n_C) {
-    const double diffuse = kEverywhere + kSky * n_C.y +
-                           kKey * std::max(0.0, cda::dot(n_C, kKeyLight)) +
-                           kFill * std::max(0.0, cda::dot(n_C, kFillLight));
-    const double sheen = kSheen * square(square(square(std::max(0.0, cda::dot(n_C, kMirror)))));
+    const double diffuse = kEverywhere + kSky * n_C.y + kKey * std::max(0.0, dot(n_C, kKeyLight)) +
+                           kFill * std::max(0.0, dot(n_C, kFillLight));
+    const double sheen = kSheen * square(square(square(std::max(0.0, dot(n_C, kMirror)))));
     return {static_cast<float>(diffuse), static_cast<float>(sheen)};
 }
 
@@ -167,7 +164,7 @@ LinearColour Resolver::colour_at(SurfaceId id, double x, double y) const {
 LinearColour Resolver::hatched(const Surface& surface, Vec3 p_C) const {
     const Hatch& hatch = surface.pattern == Pattern::PartHatch ? part_hatch_ : body_hatch_;
     const double h = map_.sample_size(), pixel = line_scale(options_);
-    const double across = cda::dot(hatch.across_C, p_C);
+    const double across = dot(hatch.across_C, p_C);
     const double period = kHatchPeriod * pixel * h;
     const double from_line = std::abs(across - period * std::round(across / period));
     // In samples of the picture.
@@ -187,7 +184,7 @@ bool Resolver::is_same_plane(SurfaceId a, SurfaceId b) const {
     if (a == kBackground || b == kBackground) return false;
     const Surface& p = surfaces_[a - 1];
     const Surface& q = surfaces_[b - 1];
-    return cda::dot(p.n_C, q.n_C) > 1.0 - 1e-10 &&
+    return dot(p.n_C, q.n_C) > 1.0 - 1e-10 &&
            std::abs(p.offset - q.offset) < 0.01 * map_.sample_size();
 }
 
@@ -219,9 +216,8 @@ float Resolver::line_between(SurfaceId a, SurfaceId b, double x, double y) const
     // If two faces meet between the samples, their depths differ by at most half a sample times the
     // sum of their slopes.
     if (step > map_.sample_size() * (1.0 + slope(p) + slope(q))) return kSilhouetteInk;
-    return cda::dot(normal_at(p, x, y, depth), normal_at(q, x, y, other)) < kCreaseCosine
-               ? kCreaseInk
-               : 0.0F;
+    return dot(normal_at(p, x, y, depth), normal_at(q, x, y, other)) < kCreaseCosine ? kCreaseInk
+                                                                                     : 0.0F;
 }
 
 // Finds the runs of samples that see one surface, row by row.
@@ -361,7 +357,7 @@ LinearColour Resolver::colour_of_pixel(SurfaceId id, std::uint32_t x, std::uint3
     const Vec3 n = bends_[surface.bend - 1].normal_at(p);
     const LinearColour colour = lit(material_at(surface, p), n);
     if (shade_ == nullptr || !surface.has_shade) return colour;
-    const float share = shade_->brightness(n, cda::dot(n, p), x, y);
+    const float share = shade_->brightness(n, dot(n, p), x, y);
     return (share * share) * colour;
 }
 

@@ -47,11 +47,11 @@ private:
     struct Lighting {
         float diffuse = 0, sheen = 0;
     };
-    static Lighting lighting(cda::Vec3 n_C);
+    static Lighting lighting(Vec3 n_C);
     // Parallel lines in the plane of the cut: direction across the lines, unit vector in C, and the
     // change of the distance across per mm of the picture.
     struct Hatch {
-        cda::Vec3 across_C;
+        Vec3 across_C;
         double slope = 1.0;
     };
     // Samples of a row that see one surface.
@@ -59,14 +59,14 @@ private:
         std::uint32_t begin = 0, end = 0;
         SurfaceId id = kBackground;
     };
-    void prepare_hatches(const CutPlane& cut);
+    void prepare_hatches(const mesh::CutPlane& cut);
     void light_new_surfaces();
-    static LinearColour lit(LinearColour material, cda::Vec3 n_C);
-    LinearColour material_at(const Surface& surface, cda::Vec3 p_C) const;
-    cda::Vec3 point_of(const Surface& surface, double x, double y) const;
+    static LinearColour lit(LinearColour material, Vec3 n_C);
+    LinearColour material_at(const Surface& surface, Vec3 p_C) const;
+    Vec3 point_of(const Surface& surface, double x, double y) const;
     LinearColour colour_at(SurfaceId id, double x, double y) const;
-    LinearColour hatched(const Surface& surface, cda::Vec3 p_C) const;
-    cda::Vec3 normal_at(const Surface& surface, double x, double y, double depth) const;
+    LinearColour hatched(const Surface& surface, Vec3 p_C) const;
+    Vec3 normal_at(const Surface& surface, double x, double y, double depth) const;
     LinearColour colour_of_pixel(SurfaceId id, std::uint32_t x, std::uint32_t y) const;
     bool is_darker(SurfaceId id) const;
     float brightness(SurfaceId id, std::uint32_t x, std::uint32_t y) const;

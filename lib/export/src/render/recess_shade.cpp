@@ -14,8 +14,6 @@ namespace ncsim::exporter {
 
 namespace {
 
-using cda::Vec3;
-
 // Cells along the height of a picture, and along three quarters of its width.
 constexpr double kCells = 240.0;
 // Largest loss of brightness.

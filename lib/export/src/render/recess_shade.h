@@ -4,7 +4,7 @@
 // axes.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/export/render_options.h"
 
 #include "render/pixel_rect.h"
@@ -37,7 +37,7 @@ public:
     void begin(const PixelRect& tile);
     /// Returns the brightness from 0 to 1 (sRGB) in the middle of pixel (x, y) of the picture, of a
     /// point on the plane n_C · p = offset.
-    float brightness(cda::Vec3 n_C, double offset, std::uint32_t x, std::uint32_t y) const;
+    float brightness(Vec3 n_C, double offset, std::uint32_t x, std::uint32_t y) const;
     /// Returns the brightness of `count` pixels of the tile, from (x, y) to the right, on a flat
     /// surface. Valid until the next call.
     std::span<const float> brightness(SurfaceId id, const Surface& surface, std::uint32_t x,
@@ -51,7 +51,7 @@ private:
     struct Sum {
         double x = 0, y = 0, z = 0, weight = 0;
 
-        double height_above(cda::Vec3 n_C, double offset) const {
+        double height_above(Vec3 n_C, double offset) const {
             return n_C.x * x + n_C.y * y + n_C.z * z - offset * weight;
         }
     };

@@ -4,9 +4,10 @@
 // renderers differ only in how they find hidden and removed parts of a surface.
 #include "ncsim/export/render.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/cda/triangulate.h"
+#include "ncsim/mesh/open_mesh.h"
 
-#include "mesh/open_mesh.h"
 #include "render/cut_surface.h"
 #include "render/edge_tiles.h"
 #include "render/offscreen.h"
@@ -31,8 +32,6 @@
 namespace ncsim::exporter {
 
 namespace {
-
-using cda::Vec3;
 
 constexpr std::uint32_t kMaxSamples = 4;
 constexpr unsigned kOpaque = 255;
@@ -269,7 +268,7 @@ ScreenMap screen_map(const RenderOptions& options) {
 // Creates surfaces with the colours of the options.
 class Paint {
 public:
-    Paint(const ScreenMap& map, const Provenance& provenance, const RenderOptions& options)
+    Paint(const ScreenMap& map, const mesh::Provenance& provenance, const RenderOptions& options)
         : map_(map),
           provenance_(provenance),
           palette_(provenance),
@@ -284,7 +283,7 @@ public:
         const Vec3 n_C = map_.direction_in_camera(normal);
         Surface result;
         result.n_C = n_C;
-        result.offset = cda::dot(n_C, map_.point_in_camera(point));
+        result.offset = dot(n_C, map_.point_in_camera(point));
         result.has_shade = true;
         const bool is_cut = origin != cda::kStockOrigin;
         if (is_cut && colouring_ == Colouring::Line) {
@@ -298,7 +297,7 @@ public:
         return result;
     }
 
-    Surface cut(const CutPlane& plane) const {
+    Surface cut(const mesh::CutPlane& plane) const {
         Surface result = cut_surface(map_, plane, cut_, Pattern::PartHatch);
         result.has_shade = true;
         return result;
@@ -306,7 +305,7 @@ public:
 
 private:
     const ScreenMap& map_;
-    const Provenance& provenance_;
+    const mesh::Provenance& provenance_;
     Palette palette_;
     Colouring colouring_;
     bool ghost_;
@@ -369,10 +368,10 @@ public:
         : boundary_(boundary), surfaces_(table.surfaces), sees_backs_(options.see_through) {
         const DesignDistances* const distances =
             options.colouring == Colouring::Design ? options.distances : nullptr;
-        cda::TriangleMesh whole = distances ? distances->mesh : cda::triangulate(boundary);
+        TriangleMesh whole = distances ? distances->mesh : cda::triangulate(boundary);
         if (options.cut) {
             const auto faces = static_cast<std::uint32_t>(boundary.faces.size());
-            OpenMesh open = open_mesh(whole, faces, *options.cut);
+            mesh::OpenMesh open = mesh::open_mesh(whole, faces, *options.cut);
             mesh_ = std::move(open.mesh);
             add_surfaces(map, whole, open.old_triangle, shading, distances, paint, table);
             add_cut(map, *options.cut, paint, table);
@@ -406,7 +405,7 @@ public:
 private:
     // Appends a surface for each triangle of mesh_ that lies in a face of the boundary.
     // `whole_triangle`: index of the triangle of `whole` that contains it; empty: the same index.
-    void add_surfaces(const ScreenMap& map, const cda::TriangleMesh& whole,
+    void add_surfaces(const ScreenMap& map, const TriangleMesh& whole,
                       std::span<const std::uint32_t> whole_triangle, const brep::Shading& shading,
                       const DesignDistances* distances, const Paint& paint, SurfaceTable& table) {
         const std::size_t count =
@@ -467,7 +466,7 @@ private:
     }
 
     // Appends the surface of the cut, for the remaining triangles.
-    void add_cut(const ScreenMap& map, const CutPlane& cut, const Paint& paint,
+    void add_cut(const ScreenMap& map, const mesh::CutPlane& cut, const Paint& paint,
                  SurfaceTable& table) {
         SurfaceId id = kBackground;
         if (faces_camera(map.camera(), cut.normal, cut.offset * cut.normal)) {
@@ -495,7 +494,7 @@ private:
     const std::vector<Surface>& surfaces_;
     bool sees_backs_;                        // also faces that face away are drawn
     std::vector<std::uint32_t> flat_faces_;  // flat faces that are drawn
-    cda::TriangleMesh mesh_;
+    TriangleMesh mesh_;
     std::vector<ScreenPoint> points_;
     // Surface of each triangle; kBackground: the triangle is not drawn.
     std::vector<SurfaceId> ids_;
@@ -568,7 +567,7 @@ private:
     std::vector<Surface>& surfaces_;
 };
 
-Image draw_model(const cda::WorkpieceModel& model, const Provenance& provenance,
+Image draw_model(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
                  const RenderOptions& options, const Overlay& overlay) {
     check(options);
     const ScreenMap map = screen_map(options);
@@ -579,7 +578,7 @@ Image draw_model(const cda::WorkpieceModel& model, const Provenance& provenance,
     return Painter(map, options, table, scene).paint();
 }
 
-Image draw_boundary(const cda::Boundary& boundary, const Provenance& provenance,
+Image draw_boundary(const cda::Boundary& boundary, const mesh::Provenance& provenance,
                     const RenderOptions& options, const Overlay& overlay,
                     const brep::Shading& shading) {
     check(options);
@@ -593,14 +592,14 @@ Image draw_boundary(const cda::Boundary& boundary, const Provenance& provenance,
 
 }  // namespace
 
-Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
+Image render_model(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
                    const RenderOptions& options, const Overlay& overlay) {
     return blend_transparent(overlay, [&](const Overlay& shown) {
         return draw_model(model, provenance, options, shown);
     });
 }
 
-Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
+Image render_boundary(const cda::Boundary& boundary, const mesh::Provenance& provenance,
                       const RenderOptions& options, const Overlay& overlay,
                       const brep::Shading& shading) {
     return blend_transparent(overlay, [&](const Overlay& shown) {

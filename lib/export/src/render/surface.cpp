@@ -7,10 +7,6 @@
 
 namespace ncsim::exporter {
 
-using cda::cross;
-using cda::dot;
-using cda::Vec3;
-
 CornerShares::CornerShares(const std::array<Vec3, 3>& corners_C) : corner_(corners_C[0]) {
     const Vec3 second = corners_C[1] - corner_, third = corners_C[2] - corner_;
     const Vec3 area = cross(second, third);
@@ -38,7 +34,7 @@ Vec3 Bend::normal_at(Vec3 p_C) const {
     const auto [second, third] = shares_.at(p_C);
     const Vec3 n = n_ + second * towards_second_ + third * towards_third_;
     // The point is a corner without a normal.
-    return cda::normalized(n == Vec3{} ? 2.0 * n_ + towards_second_ : n);
+    return normalized(n == Vec3{} ? 2.0 * n_ + towards_second_ : n);
 }
 
 double Ramp::value_at(Vec3 p_C) const {

@@ -6,7 +6,7 @@
 // this table (deferred shading), so they are the same for both renderers.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include "render/palette.h"
 
@@ -29,7 +29,7 @@ enum class Pattern : std::uint8_t {
 /// Plane and colour of a drawn face. Lengths are in mm, in the camera frame C: x to the right, y
 /// up, z towards the eye, the target at the origin.
 struct Surface {
-    cda::Vec3 n_C;        ///< Unit normal, out of the material, towards the eye.
+    Vec3 n_C;             ///< Unit normal, out of the material, towards the eye.
     double offset = 0.0;  ///< n_C · x == offset on the surface.
     LinearColour colour;  ///< Colour of the material without light.
     Pattern pattern = Pattern::Plain;
@@ -45,15 +45,15 @@ struct Surface {
 /// Shares of the second and the third corner of a triangle in its points, in the camera frame C.
 class CornerShares {
 public:
-    explicit CornerShares(const std::array<cda::Vec3, 3>& corners_C);
+    explicit CornerShares(const std::array<Vec3, 3>& corners_C);
 
     /// Returns the shares in the point of the triangle nearest to `p_C`.
     /// Requires: `p_C` is in the plane of the triangle.
-    std::pair<double, double> at(cda::Vec3 p_C) const;
+    std::pair<double, double> at(Vec3 p_C) const;
 
 private:
     // Dot products with the last two give a point's shares of both sides.
-    cda::Vec3 corner_, to_second_, to_third_;
+    Vec3 corner_, to_second_, to_third_;
 };
 
 /// Interpolated normals of a triangle, in the camera frame C.
@@ -61,26 +61,26 @@ class Bend {
 public:
     /// `n_C` are unit normals in the corners; zero for a corner without a normal, near which the
     /// normals of the remaining corners count.
-    Bend(const std::array<cda::Vec3, 3>& corners_C, const std::array<cda::Vec3, 3>& n_C);
+    Bend(const std::array<Vec3, 3>& corners_C, const std::array<Vec3, 3>& n_C);
 
     /// Returns the unit normal at the point of the triangle nearest to `p_C`.
     /// Requires: `p_C` is in the plane of the triangle.
-    cda::Vec3 normal_at(cda::Vec3 p_C) const;
+    Vec3 normal_at(Vec3 p_C) const;
 
 private:
     CornerShares shares_;
-    cda::Vec3 n_, towards_second_, towards_third_;
+    Vec3 n_, towards_second_, towards_third_;
 };
 
 /// Interpolated distances (mm) of the points of a triangle from the design.
 class Ramp {
 public:
-    Ramp(const std::array<cda::Vec3, 3>& corners_C, const std::array<double, 3>& values)
+    Ramp(const std::array<Vec3, 3>& corners_C, const std::array<double, 3>& values)
         : shares_(corners_C), values_(values) {}
 
     /// Returns the distance at the point of the triangle nearest to `p_C`.
     /// Requires: `p_C` is in the plane of the triangle.
-    double value_at(cda::Vec3 p_C) const;
+    double value_at(Vec3 p_C) const;
 
 private:
     CornerShares shares_;

@@ -52,16 +52,16 @@ void clip(std::vector<ScreenPoint>& polygon, const Height& height) {
 ScreenMap::ScreenMap(const Camera& camera, double width, double height)
     : camera_(camera), width_(width), height_(height) {}
 
-cda::Vec3 ScreenMap::direction_in_camera(cda::Vec3 v_W) const {
-    return {cda::dot(camera_.right, v_W), cda::dot(camera_.up, v_W), cda::dot(camera_.back, v_W)};
+Vec3 ScreenMap::direction_in_camera(Vec3 v_W) const {
+    return {dot(camera_.right, v_W), dot(camera_.up, v_W), dot(camera_.back, v_W)};
 }
 
-cda::Vec3 ScreenMap::point_in_camera(cda::Vec3 p_W) const {
+Vec3 ScreenMap::point_in_camera(Vec3 p_W) const {
     return direction_in_camera(p_W - camera_.target);
 }
 
-ScreenPoint ScreenMap::operator()(cda::Vec3 p_W) const {
-    const cda::Vec3 p_C = point_in_camera(p_W);
+ScreenPoint ScreenMap::operator()(Vec3 p_W) const {
+    const Vec3 p_C = point_in_camera(p_W);
     const double samples_per_mm = height_ / camera_.height;
     const double range = camera_.depth;
     if (camera_.is_orthographic()) {
@@ -78,24 +78,24 @@ ScreenPoint ScreenMap::operator()(cda::Vec3 p_W) const {
             ((far + near) * w - 2.0 * far * near) / (far - near), w};
 }
 
-cda::Vec3 ScreenMap::point_at(double x, double y, double depth) const {
+Vec3 ScreenMap::point_at(double x, double y, double depth) const {
     const double scale = camera_.is_orthographic() ? 1.0 : 1.0 - depth / camera_.distance;
     return {scale * x, scale * y, depth};
 }
 
-double ScreenMap::depth_of(cda::Vec3 n_C, double offset, double x, double y) const {
+double ScreenMap::depth_of(Vec3 n_C, double offset, double x, double y) const {
     if (camera_.is_orthographic()) return (offset - n_C.x * x - n_C.y * y) / n_C.z;
     const double d = camera_.distance;
     const double s = (n_C.z * d - offset) / (n_C.z * d - n_C.x * x - n_C.y * y);
     return d * (1.0 - s);
 }
 
-bool faces_camera(const Camera& camera, cda::Vec3 normal, cda::Vec3 point) {
-    const cda::Vec3 towards_eye =
+bool faces_camera(const Camera& camera, Vec3 normal, Vec3 point) {
+    const Vec3 towards_eye =
         camera.is_orthographic()
             ? camera.back
-            : cda::normalized(camera.target + camera.distance * camera.back - point);
-    return cda::dot(normal, towards_eye) > kGrazing;
+            : normalized(camera.target + camera.distance * camera.back - point);
+    return dot(normal, towards_eye) > kGrazing;
 }
 
 void VisibilityBuffer::begin(const SampleRect& rect) {

@@ -4,7 +4,7 @@
 // stencil buffer, with numbers instead of colours.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/export/camera.h"
 
 #include "render/surface.h"
@@ -37,18 +37,18 @@ public:
     /// `width` and `height` are in samples.
     ScreenMap(const Camera& camera, double width, double height);
 
-    ScreenPoint operator()(cda::Vec3 p_W) const;
+    ScreenPoint operator()(Vec3 p_W) const;
     const Camera& camera() const { return camera_; }
-    cda::Vec3 point_in_camera(cda::Vec3 p_W) const;
-    cda::Vec3 direction_in_camera(cda::Vec3 v_W) const;
+    Vec3 point_in_camera(Vec3 p_W) const;
+    Vec3 direction_in_camera(Vec3 v_W) const;
     /// Returns the side of a sample in mm, at the target.
     double sample_size() const { return camera_.height / height_; }
     /// Returns the point at (x, y) and `depth` in the camera frame. (x, y) is in mm at the target,
     /// from the centre of the picture.
-    cda::Vec3 point_at(double x, double y, double depth) const;
+    Vec3 point_at(double x, double y, double depth) const;
     /// Returns the depth at which the line of sight through (x, y) meets the plane n_C · p =
     /// offset: z in the camera frame. (x, y) is as for point_at().
-    double depth_of(cda::Vec3 n_C, double offset, double x, double y) const;
+    double depth_of(Vec3 n_C, double offset, double x, double y) const;
 
 private:
     Camera camera_;
@@ -57,7 +57,7 @@ private:
 
 /// True if a face is seen from the front, at an angle whose sine exceeds 1e-6. Flatter faces are
 /// invisible, and their depth cannot be computed.
-bool faces_camera(const Camera& camera, cda::Vec3 normal, cda::Vec3 point);
+bool faces_camera(const Camera& camera, Vec3 normal, Vec3 point);
 
 /// Receives the convex polygons of a picture with the numbers of their surfaces.
 class PolygonTarget {

@@ -3,8 +3,8 @@
 // Order of execution, and modes.
 #include "control/machine.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/gcode/print.h"
-#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <charconv>

@@ -4,7 +4,7 @@
 // element, on a line or an arc. All points are computed on the path of the tool centre.
 // Source: HEIDENHAIN TNC 640, User's Manual for Klartext Programming, 34059x, "Approaching and
 // departing a contour"; TNC7, 81762x-16 (direction of the arc).
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "klartext/control.h"
 #include "text/message.h"
@@ -17,7 +17,7 @@
 namespace ncsim::gcode::klartext {
 namespace {
 
-using Point = std::array<double, 2>;
+using Point = Vec2;
 
 /// Shape of an approach or a departure.
 enum class Form : std::uint8_t { Tangent, Normal, Arc, LineAndArc };
@@ -29,32 +29,23 @@ Form form_of(const Block& block) {
     return name.ends_with("LN") ? Form::Normal : Form::Tangent;
 }
 
-/// Returns `point` plus `length` along `direction`.
-Point along(Point point, Point direction, double length) {
-    return {point[0] + length * direction[0], point[1] + length * direction[1]};
-}
-
-Point left_of(Point direction) {
-    return {-direction[1], direction[0]};
-}
-
 Point turned_about(Point centre, Point point, double degrees) {
     double x = point[0] - centre[0];
     double y = point[1] - centre[1];
-    trig::rotate(x, y, degrees);
+    rotate(x, y, degrees);
     return {centre[0] + x, centre[1] + y};
 }
 
 std::optional<Point> unit(double x, double y) {
-    const double length = trig::length_of(x, y);
+    const double length = hypotenuse(x, y);
     if (!(length > 0.0)) return std::nullopt;
     return Point{x / length, y / length};
 }
 
 /// 1 if `point` is on the left of the line through `base` along `direction`, -1 on the right.
 double side_of(Point base, Point direction, Point point, double otherwise) {
-    const double cross = direction[0] * (point[1] - base[1]) - direction[1] * (point[0] - base[0]);
-    return cross > 0.0 ? 1.0 : cross < 0.0 ? -1.0 : otherwise;
+    const double side = cross(direction, point - base);
+    return side > 0.0 ? 1.0 : side < 0.0 ? -1.0 : otherwise;
 }
 
 }  // namespace
@@ -103,7 +94,7 @@ std::optional<Point> Control::start_direction(const Block& next, const Block* ce
     if (next.verb != Verb::ArcByRadius) {
         if (pole) to_centre = unit((*pole)[0] - at[axes.first], (*pole)[1] - at[axes.second]);
     } else if (words.radius) {
-        const double half = trig::length_of(x, y) / 2.0;
+        const double half = hypotenuse(x, y) / 2.0;
         const double height = std::sqrt(std::max(0.0, *words.radius * *words.radius - half * half));
         const double side = ((turn > 0.0) == (*words.radius >= 0.0) ? height : -height);
         if (half > 0.0)
@@ -119,10 +110,10 @@ std::optional<Point> Control::tangent_point(Point from, Point centre, double rad
                                             double turn) const {
     const double x = from[0] - centre[0];
     const double y = from[1] - centre[1];
-    const double distance = trig::length_of(x, y);
+    const double distance = hypotenuse(x, y);
     if (!(distance > radius)) return std::nullopt;
-    const double angle = trig::angle_of(radius, std::sqrt(distance * distance - radius * radius));
-    const Point nearest = along(centre, {x / distance, y / distance}, radius);
+    const double angle = angle_of(radius, std::sqrt(distance * distance - radius * radius));
+    const Point nearest = centre + radius * Point{x / distance, y / distance};
     return turned_about(centre, nearest, turn * angle);
 }
 
@@ -193,8 +184,8 @@ bool Control::approach(const Block& block, const Block& next, const Block* centr
     const CutterSide side = words.side.value_or(CutterSide::Off);
     const double sign = side == CutterSide::Left ? 1.0 : side == CutterSide::Right ? -1.0 : 0.0;
     const double radius = sign == 0.0 ? 0.0 : radius_of_tool().value_or(0.0);
-    const Point left = left_of(*direction);
-    const Point first = along({contour[axes.first], contour[axes.second]}, left, sign * radius);
+    const Point left = left_normal(*direction);
+    const Point first = Point{contour[axes.first], contour[axes.second]} + sign * radius * left;
     const bool by_arc = form == Form::Arc || form == Form::LineAndArc;
     const bool has_size = by_arc ? words.radius && *words.radius != 0.0 : words.length.has_value();
     if (!has_size) return needs(by_arc ? "a radius (R)" : "a length (LEN)");
@@ -204,19 +195,19 @@ bool Control::approach(const Block& block, const Block& next, const Block* centr
     Point middle{};
     double turn = 0.0;
     if (form == Form::Tangent) {
-        auxiliary = along(first, *direction, -*words.length);
+        auxiliary = first + -*words.length * *direction;
     } else if (form == Form::Normal) {
-        auxiliary = along(first, left, sign * *words.length);
+        auxiliary = first + sign * *words.length * left;
     } else if (form == Form::Arc) {
         if (!words.opening || !(*words.opening > 0.0 && *words.opening <= 360.0))
             return needs("a centre angle (CCA) up to 360");
         turn = *words.radius > 0.0 ? sign : -sign;
-        middle = along(first, left, turn * std::abs(*words.radius));
+        middle = first + turn * std::abs(*words.radius) * left;
         auxiliary = turned_about(middle, first, -turn * *words.opening);
     } else {
         turn = side_of(first, *direction, in_plane(), sign == 0.0 ? 1.0 : sign);
         const double size = std::abs(*words.radius);
-        middle = along(first, left, turn * size);
+        middle = first + turn * size * left;
         const std::optional<Point> found = tangent_point(in_plane(), middle, size, turn);
         if (!found) return needs("a start outside the arc");
         auxiliary = *found;
@@ -294,17 +285,17 @@ bool Control::depart(const Block& block) {
 
     const PlaneAxes axes = axes_of(plane_);
     const Point last = in_plane();
-    const Point left = left_of(*direction);
+    const Point left = left_normal(*direction);
     bool done = false;
     if (form == Form::Tangent) {
-        done = go_to(along(last, *direction, *words.length), words.is_rapid, span);
+        done = go_to(last + *words.length * *direction, words.is_rapid, span);
     } else if (form == Form::Normal) {
-        done = go_to(along(last, left, sign * *words.length), words.is_rapid, span);
+        done = go_to(last + sign * *words.length * left, words.is_rapid, span);
     } else if (form == Form::Arc) {
         if (!words.opening || !(*words.opening > 0.0 && *words.opening <= 360.0))
             return needs("a centre angle (CCA) up to 360");
         const double turn = *words.radius > 0.0 ? sign : -sign;
-        const Point middle = along(last, left, turn * std::abs(*words.radius));
+        const Point middle = last + turn * std::abs(*words.radius) * left;
         done = turn_to(turned_about(middle, last, turn * *words.opening), middle, turn, span);
     } else {
         AxisMask mask = 0;
@@ -317,7 +308,7 @@ bool Control::depart(const Block& block) {
         const Point target{end[axes.first], end[axes.second]};
         const double turn = side_of(last, *direction, target, sign == 0.0 ? 1.0 : sign);
         const double size = std::abs(*words.radius);
-        const Point middle = along(last, left, turn * size);
+        const Point middle = last + turn * size * left;
         // Backwards from the end, the arc turns the other way.
         const std::optional<Point> found = tangent_point(target, middle, size, -turn);
         if (!found) return needs("an end outside the arc");

@@ -3,7 +3,7 @@
 // SL cycles: 14 (contours), 20 (data), 22 (roughing), 23 and 24 (finishing of floor and side), 25
 // (contour train). The contours are subprograms that are recorded, not executed.
 // Source: HEIDENHAIN TNC 640, User's Manual for Cycle Programming, 892903, "SL cycles".
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "klartext/control.h"
 #include "text/message.h"
@@ -24,14 +24,14 @@ constexpr double kMostSides = 2000.0;
 constexpr double kWidestStroke = 1.8;  // Distance of strokes, radii of the tool.
 constexpr std::size_t kMostContours = 100;
 
-bool crosses(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d) {
-    const auto side = [](PlanePoint o, PlanePoint p, PlanePoint q) {
+bool crosses(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const auto side = [](Vec2 o, Vec2 p, Vec2 q) {
         return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x) > 0.0;
     };
     return side(c, d, a) != side(c, d, b) && side(a, b, c) != side(a, b, d);
 }
 
-bool cross(const std::vector<PlanePoint>& one, const std::vector<PlanePoint>& other) {
+bool cross(const std::vector<Vec2>& one, const std::vector<Vec2>& other) {
     for (std::size_t i = 0; i < one.size(); ++i) {
         for (std::size_t k = 0; k < other.size(); ++k) {
             if (crosses(one[i], one[(i + 1) % one.size()], other[k], other[(k + 1) % other.size()]))
@@ -48,7 +48,7 @@ struct Control::MilledContour {
     language::Pass outline;
     bool is_island = false;
     CutterSide side = CutterSide::Left;
-    std::vector<PlanePoint> polygon;
+    std::vector<Vec2> polygon;
 };
 
 /// The region that an SL cycle mills at each level.
@@ -94,9 +94,9 @@ bool Control::read_contours(SourceSpan span, bool is_climb, ContourMilling& m) {
         MilledContour contour;
         contour.outline = std::move(read->moves);
         if (contour.outline.empty()) return needs("contours of lines and arcs in the plane");
-        const PlanePoint begin = contour.outline.front().from;
-        const PlanePoint end = contour.outline.back().to;
-        if (trig::length_of(end.x - begin.x, end.y - begin.y) > kMaxClosingGap / unit)
+        const Vec2 begin = contour.outline.front().from;
+        const Vec2 end = contour.outline.back().to;
+        if (hypotenuse(end.x - begin.x, end.y - begin.y) > kMaxClosingGap / unit)
             return needs("contours that end where they begin");
         contour.outline.back().to = begin;
         if (read->side == CutterSide::Off) return needs("contours with RL or RR");
@@ -224,7 +224,7 @@ bool Control::mill_contour_train(SourceSpan span) {
 }
 
 bool Control::mill_levels(SourceSpan span, const ContourMilling& m) {
-    std::vector<std::vector<PlanePoint>> polygons;
+    std::vector<std::vector<Vec2>> polygons;
     double sides = 0.0;
     for (const MilledContour& contour : m.contours) {
         polygons.push_back(contour.polygon);
@@ -251,8 +251,8 @@ bool Control::mill_levels(SourceSpan span, const ContourMilling& m) {
             const bool is_back = s % 2 == 1;
             if (is_back) std::ranges::reverse(pieces);
             for (const Stroke& piece : pieces) {
-                const PlanePoint from{is_back ? piece.to : piece.from, at};
-                const PlanePoint to{is_back ? piece.from : piece.to, at};
+                const Vec2 from{is_back ? piece.to : piece.from, at};
+                const Vec2 to{is_back ? piece.from : piece.to, at};
                 if (!reach(m, area, from, level) || !move_in_plane(to, m.feed)) return false;
             }
         }
@@ -266,7 +266,7 @@ bool Control::mill_levels(SourceSpan span, const ContourMilling& m) {
 
 /// Moves the tool to `to` at the height `level`: straight inside the area, otherwise above the
 /// part.
-bool Control::reach(const ContourMilling& m, const Area& area, PlanePoint to, double level) {
+bool Control::reach(const ContourMilling& m, const Area& area, Vec2 to, double level) {
     const bool is_down = at_[axes_of(plane_).third] == level;
     if (is_down && area.contains(point_in_plane(), to)) return move_in_plane(to, m.feed);
     return move_to(m.clear, std::nullopt) && move_in_plane(to, std::nullopt) &&
@@ -277,9 +277,9 @@ bool Control::reach(const ContourMilling& m, const Area& area, PlanePoint to, do
 bool Control::mill_contour(const ContourMilling& m, const Area& area, const MilledContour& contour,
                            double level) {
     const OutlineMove& first = contour.outline.front();
-    const PlanePoint middle = point_at(first, 0.5);
-    const PlanePoint ahead = direction_in_middle(first);
-    const double length = trig::length_of(ahead.x, ahead.y);
+    const Vec2 middle = point_at(first, 0.5);
+    const Vec2 ahead = direction_in_middle(first);
+    const double length = hypotenuse(ahead.x, ahead.y);
     if (length == 0.0) return true;
     const bool is_left = contour.side == CutterSide::Left;
     const double in = is_left ? m.inset / length : -m.inset / length;

@@ -4,8 +4,8 @@
 // Source: HEIDENHAIN TNC 640, User's Manual for Klartext Programming, 34059x.
 #include "klartext/control.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/gcode/print.h"
-#include "ncsim/trig/angles.h"
 
 #include "text/message.h"
 
@@ -356,11 +356,11 @@ bool Control::polar_end(const Block& block, const Words& words, Axes& end) {
     const PlaneAxes axes = axes_of(plane_);
     const double x = at_[axes.first] - (*centre_)[0];
     const double y = at_[axes.second] - (*centre_)[1];
-    double radius = pr_ ? *pr_ : trig::length_of(x, y);
-    double angle = pa_ ? *pa_ : trig::angle_of(x, y);
+    double radius = pr_ ? *pr_ : hypotenuse(x, y);
+    double angle = pa_ ? *pa_ : angle_of(x, y);
     if (words.pr) radius = words.is_pr_incremental ? radius + *words.pr : *words.pr;
     if (words.pa) angle = words.is_pa_incremental ? angle + *words.pa : *words.pa;
-    const trig::SinCos direction = trig::sin_cos(angle);
+    const SinCos direction = sin_cos(angle);
     end[axes.first] = (*centre_)[0] + radius * direction.cos;
     end[axes.second] = (*centre_)[1] + radius * direction.sin;
     pr_ = radius;
@@ -385,8 +385,7 @@ bool Control::centre(const Block& block) {
     Words words;
     if (!gather(block, words)) return false;
     const PlaneAxes axes = axes_of(plane_);
-    std::array<double, 2> centre =
-        centre_.value_or(std::array<double, 2>{at_[axes.first], at_[axes.second]});
+    Vec2 centre = centre_.value_or(Vec2{at_[axes.first], at_[axes.second]});
     if (!words.axis[axes.first] && !words.axis[axes.second])
         centre = {at_[axes.first], at_[axes.second]};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -530,7 +529,7 @@ bool Control::arc(const Block& block, const Words& words_of_block, const Corner*
     if (block.verb == Verb::ArcPolar) {
         const double x = at_[axes.first] - arc.centre_1;
         const double y = at_[axes.second] - arc.centre_2;
-        const double start = pa_ ? *pa_ : trig::angle_of(x, y);
+        const double start = pa_ ? *pa_ : angle_of(x, y);
         double sweep = 360.0;  // CP DR+ alone: a full circle.
         double angle = start;
         if (words.pa && words.is_pa_incremental) {
@@ -547,7 +546,7 @@ bool Control::arc(const Block& block, const Words& words_of_block, const Corner*
             sweep = 0.0;
             angle = *words.pa;
         }
-        const double pr = pr_.value_or(trig::length_of(x, y));
+        const double pr = pr_.value_or(hypotenuse(x, y));
         const double whole = std::round(sweep / 360.0);
         if (sweep > 0.0 && sweep == 360.0 * whole) {
             // Full circles end exactly at the start.
@@ -556,7 +555,7 @@ bool Control::arc(const Block& block, const Words& words_of_block, const Corner*
             const double turned = angle - start;
             double ex = x;
             double ey = y;
-            trig::rotate(ex, ey, turned);
+            rotate(ex, ey, turned);
             arc.end[axes.first] = arc.centre_1 + ex;
             arc.end[axes.second] = arc.centre_2 + ey;
             if (sweep > 360.0) arc.turns = direction * static_cast<int>(std::ceil(sweep / 360.0));

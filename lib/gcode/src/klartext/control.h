@@ -4,6 +4,7 @@
 // planes and hole cycles, as commands of Machine. No text of G-code is made.
 #pragma once
 
+#include "ncsim/base/vec2.h"
 #include "ncsim/gcode/interpretation.h"
 
 #include "control/command.h"
@@ -123,7 +124,7 @@ private:
     bool make_arc(const Words& words, const ProgramArc& arc, std::optional<double> radius,
                   const Command& command);
     Axes ends(const Words& words, AxisMask& mask) const;
-    using Point = std::array<double, 2>;
+    using Point = Vec2;
     std::optional<Point> start_direction(const Block& next, const Block* centre, const Axes& at);
     std::optional<Point> tangent_point(Point from, Point centre, double radius, double turn) const;
     Point in_plane() const;
@@ -196,7 +197,7 @@ private:
     bool check_contours(SourceSpan span, const std::vector<MilledContour>& contours);
     bool mill_contours(SourceSpan span);
     bool mill_levels(SourceSpan span, const ContourMilling& m);
-    bool reach(const ContourMilling& m, const Area& area, PlanePoint to, double level);
+    bool reach(const ContourMilling& m, const Area& area, Vec2 to, double level);
     bool mill_contour(const ContourMilling& m, const Area& area, const MilledContour& contour,
                       double level);
 
@@ -207,7 +208,7 @@ private:
     double feed_ = 0.0;             ///< Last feed, as programmed.
     double radius_oversize_ = 0.0;  ///< DR of TOOL CALL.
     CutterSide side_ = CutterSide::Off;
-    std::optional<std::array<double, 2>> centre_;
+    std::optional<Vec2> centre_;
     std::optional<double> pr_, pa_;  ///< Last polar coordinates, if the tool is there.
     int last_direction_ = 0;
     bool was_rapid_ = true;       ///< The last line was rapid.

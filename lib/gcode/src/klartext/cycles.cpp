@@ -2,7 +2,7 @@
 //
 // CYCL DEF and the hole cycles: drilling, reaming, boring, tapping, bore milling, centring;
 // patterns of holes. Source: HEIDENHAIN TNC 640, User's Manual for Cycle Programming, 892903.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "klartext/control.h"
 #include "text/message.h"
@@ -326,7 +326,7 @@ std::vector<Control::Point> Control::places_of(const Cycle& pattern) const {
         const double divisions = is_full ? count : std::max(1, count - 1);
         const double step = q(247) != 0.0 ? q(247) : range / divisions;
         for (int i = 0; i < count; ++i) {
-            const trig::SinCos direction = trig::sin_cos(q(245) + i * step);
+            const SinCos direction = sin_cos(q(245) + i * step);
             const double radius = q(244) / 2.0;
             places.push_back({q(216) + radius * direction.cos, q(217) + radius * direction.sin});
         }
@@ -334,7 +334,7 @@ std::vector<Control::Point> Control::places_of(const Cycle& pattern) const {
     }
     const int columns = whole(q(242));
     const int rows = whole(q(243));
-    const trig::SinCos direction = trig::sin_cos(q(224));
+    const SinCos direction = sin_cos(q(224));
     for (int row = 0; row < rows; ++row) {
         for (int i = 0; i < columns; ++i) {
             // Every second line runs back.
@@ -677,9 +677,9 @@ bool Control::bore_mill(SourceSpan span, double bottom, double clear) {
     const bool is_climb = value(351, 1.0) >= 0.0;
     const bool is_clockwise = machine_.state().spindle == SpindleTurning::Counterclockwise;
     const bool is_left = is_climb != is_clockwise;  // Climb milling in a bore: counter-clockwise.
-    const PlanePoint centre = point_in_plane();
-    const PlanePoint edge{centre.x + radius, centre.y};
-    const PlanePoint between{centre.x + radius / 2.0, centre.y};
+    const Vec2 centre = point_in_plane();
+    const Vec2 edge{centre.x + radius, centre.y};
+    const Vec2 between{centre.x + radius / 2.0, centre.y};
     const int turn = is_left ? 1 : -1;
     // The helix begins at the clearance; each turn goes down by the infeed.
     return cut({centre, edge, between, turn}, clear, feed) &&

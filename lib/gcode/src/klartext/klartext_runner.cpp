@@ -3,7 +3,7 @@
 // Execution of blocks, labels and calls.
 #include "klartext/klartext_runner.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "language/contour_recorder.h"
 #include "text/line_end.h"
@@ -431,12 +431,12 @@ bool Runner::arithmetic(Scanner& scan, std::uint32_t number) {
         case 5:
             if (*a < 0.0) return fail(Message::FunctionRange, block_.whole(), {"SQRT"});
             return set(std::sqrt(*a));
-        case 6: return set(trig::sin_cos(*a).sin);
-        case 7: return set(trig::sin_cos(*a).cos);
-        case 8: return set(trig::length_of(*a, *b));
+        case 6: return set(sin_cos(*a).sin);
+        case 7: return set(sin_cos(*a).cos);
+        case 8: return set(hypotenuse(*a, *b));
         default: {
             // a is the side opposite to the angle, or its sine; b is the adjacent side.
-            const double angle = trig::angle_of(*b, *a);
+            const double angle = angle_of(*b, *a);
             return set(angle < 0.0 ? angle + 360.0 : angle);
         }
     }

@@ -2,7 +2,7 @@
 //
 // Pocket, slot and stud cycles: 251 … 254, 256 … 258. Source: HEIDENHAIN TNC 640, User's Manual for
 // Cycle Programming, 892903.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "klartext/control.h"
 #include "text/message.h"
@@ -95,7 +95,7 @@ bool Control::mill_area(SourceSpan span, double bottom, double clear) {
     area.angle = value(is_slot ? 374 : 224, 0.0);
     const Point start = in_plane();
     area.centre = {start[0], start[1]};
-    const std::optional<std::array<double, 2>> middle = middle_of_area(area);
+    const std::optional<Vec2> middle = middle_of_area(area);
     if (!middle) return fail(Message::BlockNeeds, span, {name, "a position (Q367) from 0 to 4"});
     area.centre = language::point_in(area, (*middle)[0], (*middle)[1]);
     if (m.is_stud && !read_blank(span, m)) return false;
@@ -137,7 +137,7 @@ bool Control::read_blank(SourceSpan span, language::Milling& m) {
     // Distance from the corner of the blank to the round corner of the stud.
     const double x = (length - m.area.length) / 2.0 + m.area.corner;
     const double y = (width - m.area.width) / 2.0 + m.area.corner;
-    m.blank = trig::length_of(x, y) - m.area.corner;
+    m.blank = hypotenuse(x, y) - m.area.corner;
     return true;
 }
 
@@ -154,7 +154,7 @@ bool Control::mill_polygon(SourceSpan span, language::Milling& m) {
     const bool is_outer = value(573, 0.0) == 1.0;  // The circle through the corners.
     language::MilledArea& area = m.area;
     area.sides = static_cast<int>(sides);
-    const double to_inner = is_outer ? trig::sin_cos(180.0 / sides).cos : 1.0;
+    const double to_inner = is_outer ? sin_cos(180.0 / sides).cos : 1.0;
     area.length = area.width = value(571, 0.0) * to_inner;
     area.corner = std::min(value(220, 0.0), area.length / 2.0);
     area.angle = value(224, 0.0);
@@ -189,7 +189,7 @@ bool Control::mill_circular_slots(SourceSpan span, language::Milling& m) {
         area.centre = {value(216, 0.0), value(217, 0.0)};
     } else if (position == 2.0) {
         // The tool is over the middle of the centre line, at the angle Q376.
-        const trig::SinCos direction = trig::sin_cos(area.angle);
+        const SinCos direction = sin_cos(area.angle);
         area.centre = {start[0] - area.arc_radius * direction.cos,
                        start[1] - area.arc_radius * direction.sin};
         area.angle -= area.opening / 2.0;

@@ -4,7 +4,7 @@
 // Source: HEIDENHAIN TNC 640, User's Manual for Klartext Programming, "Programming Q parameters".
 #include "klartext/q_parameters.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "text/message.h"
 
@@ -180,14 +180,14 @@ std::optional<double> Parameters::factor(Scanner& scan, const Block& block, int 
 
 std::optional<double> Parameters::function(std::string_view name, double x, SourceSpan span) {
     const auto refuse = [&] { return fail(Message::FunctionRange, span, name); };
-    if (name == "SIN") return trig::sin_cos(x).sin;
-    if (name == "COS") return trig::sin_cos(x).cos;
-    if (name == "TAN") return trig::sin_cos(x).cos == 0.0 ? refuse() : trig::tangent(x);
-    if (name == "ATAN") return trig::angle_of(1.0, x);
+    if (name == "SIN") return sin_cos(x).sin;
+    if (name == "COS") return sin_cos(x).cos;
+    if (name == "TAN") return sin_cos(x).cos == 0.0 ? refuse() : tangent(x);
+    if (name == "ATAN") return angle_of(1.0, x);
     if (name == "ASIN" || name == "ACOS") {
         if (std::abs(x) > 1.0) return refuse();
         const double other = std::sqrt((1.0 - x) * (1.0 + x));
-        return name == "ASIN" ? trig::angle_of(other, x) : trig::angle_of(x, other);
+        return name == "ASIN" ? angle_of(other, x) : angle_of(x, other);
     }
     if (name == "SQRT") return x < 0.0 ? refuse() : std::sqrt(x);
     if (name == "SQ") return checked(x * x, span);

@@ -66,12 +66,12 @@ bool Control::countersink_front(const language::ThreadMilling& m, double surface
     if (value(358, 0.0) == 0.0) return true;
     const double own = feed_of(feed_value(cycle_.number == 264 ? 206 : 254).value_or(0.0));
     const double feed = own > 0.0 ? own : m.feed;
-    const PlanePoint out = m.is_internal ? m.centre : PlanePoint{m.centre.x + m.entry, m.centre.y};
+    const Vec2 out = m.is_internal ? m.centre : Vec2{m.centre.x + m.entry, m.centre.y};
     if (!move_in_plane(out, std::nullopt) || !move_to(height, feed_or_rapid(253))) return false;
     if (radius == 0.0) return !m.is_internal || move_to(m.clear, std::nullopt);
     const int turn = m.is_clockwise ? -1 : 1;
-    const PlanePoint edge{m.centre.x + radius, m.centre.y};
-    const PlanePoint between{(out.x + edge.x) / 2.0, m.centre.y};
+    const Vec2 edge{m.centre.x + radius, m.centre.y};
+    const Vec2 between{(out.x + edge.x) / 2.0, m.centre.y};
     const int aside = m.is_internal ? turn : -turn;
     return cut({out, edge, between, aside}, height, feed) &&
            cut({edge, edge, m.centre, turn}, height, feed) &&

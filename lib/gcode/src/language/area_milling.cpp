@@ -3,7 +3,7 @@
 // Moves of pocket, slot and stud cycles: passes parallel to the outline at each level, then
 // finishing of side and floor. Manuals give the order, the levels and the largest distance of
 // passes; the passes themselves are a choice of ncsim and leave the same part.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "language/block_control.h"
 #include "text/message.h"
@@ -29,11 +29,10 @@ double step_of(const Milling& m) {
 }
 
 double length_of(const OutlineMove& move) {
-    const double chord = trig::length_of(move.to.x - move.from.x, move.to.y - move.from.y);
+    const double chord = hypotenuse(move.to.x - move.from.x, move.to.y - move.from.y);
     if (move.turns == 0) return chord;
     // At least the chord; ramps need no more.
-    return std::max(chord,
-                    trig::length_of(move.from.x - move.centre.x, move.from.y - move.centre.y));
+    return std::max(chord, hypotenuse(move.from.x - move.centre.x, move.from.y - move.centre.y));
 }
 
 /// Returns the number of passes parallel to the outline, the outermost at `inset`.
@@ -101,14 +100,14 @@ bool BlockControl::cut(const OutlineMove& move, double height, std::optional<dou
     return true;
 }
 
-PlanePoint BlockControl::point_in_plane() const {
+Vec2 BlockControl::point_in_plane() const {
     const PlaneAxes axes = axes_of(plane_);
     return {at_[axes.first], at_[axes.second]};
 }
 
 /// Moves along a line in the plane to `to`; without `feed`: rapid.
-bool BlockControl::move_in_plane(PlanePoint to, std::optional<double> feed) {
-    const PlanePoint from = point_in_plane();
+bool BlockControl::move_in_plane(Vec2 to, std::optional<double> feed) {
+    const Vec2 from = point_in_plane();
     const PlaneAxes axes = axes_of(plane_);
     const auto mask = static_cast<AxisMask>(1U << axes.first | 1U << axes.second);
     if (from.x == to.x && from.y == to.y && !is_unknown(mask)) return true;
@@ -125,10 +124,9 @@ bool BlockControl::follow(const Pass& pass, double feed) {
 
 /// Moves full circles about `centre`, from the position of the tool, down to `bottom` or up.
 /// `pitch`: height of a turn, > 0. The last turn ends at `end`.
-bool BlockControl::wind(PlanePoint centre, double end, double pitch, bool is_clockwise,
-                        double feed) {
+bool BlockControl::wind(Vec2 centre, double end, double pitch, bool is_clockwise, double feed) {
     const std::size_t axis = axes_of(plane_).third;
-    const PlanePoint here = point_in_plane();
+    const Vec2 here = point_in_plane();
     const double start = at_[axis];
     const double way = std::abs(end - start);
     const double turns = pitch > 0.0 ? std::max(1.0, std::ceil(way / pitch - kRounding)) : 1.0;
@@ -143,7 +141,7 @@ bool BlockControl::wind(PlanePoint centre, double end, double pitch, bool is_clo
 
 /// Moves the tool from `from` down to `level`, over the place where it is, and back to that place.
 bool BlockControl::plunge(const Milling& m, double from, double level) {
-    const PlanePoint place = point_in_plane();
+    const Vec2 place = point_in_plane();
     const double room = m.area.half_width() - m.tool_radius - (m.roughs ? m.side_allowance : 0.0);
     const bool has_room = room > kRounding * m.tool_radius;
     if (m.plunge == Plunge::Helix && has_room && !m.is_stud) {
@@ -153,7 +151,7 @@ bool BlockControl::plunge(const Milling& m, double from, double level) {
         const double pitch = m.helix_pitch > 0.0
                                  ? m.helix_pitch
                                  : std::max(turn * kSlope, kLeastDrop * m.tool_radius);
-        const PlanePoint edge{place.x + radius, place.y};
+        const Vec2 edge{place.x + radius, place.y};
         return move_to(from, m.plunge_feed) && move_in_plane(edge, m.plunge_feed) &&
                wind(place, level, pitch, m.is_clockwise, m.plunge_feed) &&
                wind(place, level, 0.0, m.is_clockwise, m.feed) && move_in_plane(place, m.feed);
@@ -182,7 +180,7 @@ bool BlockControl::plunge(const Milling& m, double from, double level) {
 }
 
 /// Mills all passes of the levels down to the floor.
-bool BlockControl::rough(const Milling& m, PlanePoint entry) {
+bool BlockControl::rough(const Milling& m, Vec2 entry) {
     const double inset = m.tool_radius + m.side_allowance;
     const double floor = m.bottom + m.floor_allowance;
     const std::vector<Pass> passes = passes_of(m, m.is_stud ? -inset : inset);
@@ -200,13 +198,13 @@ bool BlockControl::rough(const Milling& m, PlanePoint entry) {
 }
 
 /// Lifts the tool to `height`, and moves it back to `entry`: of a stud above the part.
-bool BlockControl::leave(const Milling& m, double height, PlanePoint entry) {
+bool BlockControl::leave(const Milling& m, double height, Vec2 entry) {
     if (!m.is_stud) return move_to(height, std::nullopt) && move_in_plane(entry, std::nullopt);
     return move_in_plane(entry, m.feed) && move_to(height, std::nullopt);
 }
 
 /// Mills the outline on size in levels, then the floor.
-bool BlockControl::finish(const Milling& m, PlanePoint entry) {
+bool BlockControl::finish(const Milling& m, Vec2 entry) {
     const double inset = m.is_stud ? -m.tool_radius : m.tool_radius;
     const std::vector<Pass> passes = passes_of(m, inset);
     const double lift = m.clear - m.surface;
@@ -242,7 +240,7 @@ bool BlockControl::mill(const Milling& m, std::string_view name) {
     const double most = kMostPasses / m.repeats;
     if (!(passes * levels < most && finishes < most))
         return fail(Message::CycleRepeats, cycle_span_);
-    PlanePoint entry = middle_of(m.area);
+    Vec2 entry = middle_of(m.area);
     if (m.is_stud) {
         const double outermost =
             m.area.reach() + inset + (count_of_passes(m, -inset) - 1.0) * step_of(m);
@@ -274,19 +272,19 @@ bool BlockControl::mill_face(const FaceMilling& m) {
     const double levels = m.infeed > 0.0 ? (m.surface - m.bottom) / m.infeed + 1.0 : 1.0;
     if (!(count * levels < kMostPasses)) return fail(Message::CycleRepeats, cycle_span_);
     const double reach = m.tool_radius + m.margin;
-    const trig::SinCos direction = trig::sin_cos(m.angle);
+    const SinCos direction = sin_cos(m.angle);
     const auto place = [&](double to, double row) {
         const double x = (m.is_along_second ? row : to) * (m.length < 0.0 ? -1.0 : 1.0);
         const double y = (m.is_along_second ? to : row) * (m.width < 0.0 ? -1.0 : 1.0);
-        return PlanePoint{m.corner.x + x * direction.cos - y * direction.sin,
-                          m.corner.y + x * direction.sin + y * direction.cos};
+        return Vec2{m.corner.x + x * direction.cos - y * direction.sin,
+                    m.corner.y + x * direction.sin + y * direction.cos};
     };
     for (const double level : levels_of(m.surface, m.bottom, m.infeed, true)) {
         for (int i = 0; i < static_cast<int>(count); ++i) {
             const double row = std::min((i + 1) * step, across) - m.tool_radius;
             const bool is_back = m.is_alternating && i % 2 == 1;
-            const PlanePoint begin = place(is_back ? along + reach : -reach, row);
-            const PlanePoint end = place(is_back ? -reach : along + reach, row);
+            const Vec2 begin = place(is_back ? along + reach : -reach, row);
+            const Vec2 end = place(is_back ? -reach : along + reach, row);
             const bool stays_low = i > 0 && m.is_alternating;
             if (stays_low) {
                 if (!move_in_plane(begin, m.feed)) return false;
@@ -305,9 +303,9 @@ bool BlockControl::mill_thread(const ThreadMilling& m) {
     // Towards an external thread the tool turns in the other direction.
     const int turn = m.is_clockwise ? -1 : 1;
     const int aside = m.is_internal ? turn : -turn;
-    const PlanePoint out = m.is_internal ? m.centre : PlanePoint{m.centre.x + m.entry, m.centre.y};
-    const PlanePoint edge{m.centre.x + m.radius, m.centre.y};
-    const PlanePoint between{(out.x + edge.x) / 2.0, m.centre.y};
+    const Vec2 out = m.is_internal ? m.centre : Vec2{m.centre.x + m.entry, m.centre.y};
+    const Vec2 edge{m.centre.x + m.radius, m.centre.y};
+    const Vec2 between{(out.x + edge.x) / 2.0, m.centre.y};
     const double depth = m.top - m.bottom;
     const double offset = m.turns_per_step * m.pitch;
     const double whole = std::max(1.0, std::ceil(depth / m.pitch - kRounding)) * m.pitch;

@@ -3,7 +3,7 @@
 // Commands, positions, arcs and tools.
 #include "language/block_control.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "text/message.h"
 
@@ -129,13 +129,13 @@ void BlockControl::arrive(const Axes& end) {
 BlockControl::Tangent BlockControl::tangent_arc(const Axes& end, ProgramArc& arc) const {
     constexpr double kFlat = 1e-9;
     const PlaneAxes axes = axes_of(plane_);
-    const double length = trig::length_of((*tangent_)[0], (*tangent_)[1]);
+    const double length = hypotenuse((*tangent_)[0], (*tangent_)[1]);
     const double dx = (*tangent_)[0] / length;
     const double dy = (*tangent_)[1] / length;
     const double cx = end[axes.first] - at_[axes.first];
     const double cy = end[axes.second] - at_[axes.second];
     const double across = dx * cy - dy * cx;  // Positive: the end is on the left.
-    const double chord = trig::length_of(cx, cy);
+    const double chord = hypotenuse(cx, cy);
     if (std::abs(across) <= kFlat * chord)
         return chord == 0.0 || dx * cx + dy * cy < 0.0 ? Tangent::None : Tangent::Line;
     const double radius = chord * chord / (2.0 * across);  // Signed: positive to the left.
@@ -163,7 +163,7 @@ bool BlockControl::make_arc(const ProgramArc& arc, AxisMask named, std::optional
         // Centre, for the tangent at the end.
         const double dx = arc.end[axes.first] - start[axes.first];
         const double dy = arc.end[axes.second] - start[axes.second];
-        const double half = trig::length_of(dx, dy) / 2.0;
+        const double half = hypotenuse(dx, dy) / 2.0;
         const double height = std::sqrt(std::max(0.0, *radius * *radius - half * half));
         const bool is_left = (arc.turns > 0) == (*radius >= 0.0);
         const double side = half == 0.0 ? 0.0 : (is_left ? height : -height) / (2.0 * half);

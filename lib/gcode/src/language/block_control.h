@@ -4,6 +4,7 @@
 // SINUMERIK): commands of Machine, positions, arcs, tools by name, holes.
 #pragma once
 
+#include "ncsim/base/vec2.h"
 #include "ncsim/gcode/interpretation.h"
 
 #include "control/command.h"
@@ -128,9 +129,9 @@ protected:
     bool bore_out(double clear, std::optional<double> feed, bool steps_aside);
 
     bool cut(const OutlineMove& move, double height, std::optional<double> feed);
-    bool move_in_plane(PlanePoint to, std::optional<double> feed);
-    PlanePoint point_in_plane() const;
-    bool wind(PlanePoint centre, double end, double pitch, bool is_clockwise, double feed);
+    bool move_in_plane(Vec2 to, std::optional<double> feed);
+    Vec2 point_in_plane() const;
+    bool wind(Vec2 centre, double end, double pitch, bool is_clockwise, double feed);
     /// Mills an area; the tool ends at the height `m.clear`. `name`: the cycle.
     bool mill(const Milling& m, std::string_view name);
     bool mill_face(const FaceMilling& m);
@@ -153,8 +154,8 @@ protected:
     Plane plane_ = Plane::XY;
     int tool_ = 0;
     std::map<std::string, int> named_tools_;
-    std::optional<std::array<double, 2>> tangent_;  ///< Direction at the end of the last element.
-    SourceSpan cycle_span_;                         ///< Block of the moves of a cycle.
+    std::optional<Vec2> tangent_;  ///< Direction at the end of the last element.
+    SourceSpan cycle_span_;        ///< Block of the moves of a cycle.
     /// Lowest height of the feed moves, and highest of all moves, since the last tool change or
     /// change of the frame.
     std::optional<double> lowest_feed_, highest_;
@@ -163,9 +164,9 @@ protected:
 private:
     bool follow(const Pass& pass, double feed);
     bool plunge(const Milling& m, double from, double level);
-    bool rough(const Milling& m, PlanePoint entry);
-    bool finish(const Milling& m, PlanePoint entry);
-    bool leave(const Milling& m, double height, PlanePoint entry);
+    bool rough(const Milling& m, Vec2 entry);
+    bool finish(const Milling& m, Vec2 entry);
+    bool leave(const Milling& m, double height, Vec2 entry);
     bool follow_contour(const ContourPath& m, const Pass& contour, CutterSide side, double level);
 };
 

@@ -2,7 +2,7 @@
 //
 // Moves of cycles that mill along a contour: the way to the contour, the contour with cutter
 // compensation, the way back, level by level.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "language/block_control.h"
 #include "text/message.h"
@@ -14,35 +14,34 @@ namespace ncsim::gcode::language {
 namespace {
 
 /// Returns the unit direction of `move` at its start or end.
-PlanePoint direction_at(const OutlineMove& move, bool at_end) {
-    PlanePoint ahead{move.to.x - move.from.x, move.to.y - move.from.y};
+Vec2 direction_at(const OutlineMove& move, bool at_end) {
+    Vec2 ahead{move.to.x - move.from.x, move.to.y - move.from.y};
     if (move.turns != 0) {
-        const PlanePoint at = at_end ? move.to : move.from;
+        const Vec2 at = at_end ? move.to : move.from;
         const double turn = move.turns > 0 ? 1.0 : -1.0;
         ahead = {-turn * (at.y - move.centre.y), turn * (at.x - move.centre.x)};
     }
-    const double length = trig::length_of(ahead.x, ahead.y);
-    return length > 0.0 ? PlanePoint{ahead.x / length, ahead.y / length} : PlanePoint{1.0, 0.0};
+    const double length = hypotenuse(ahead.x, ahead.y);
+    return length > 0.0 ? Vec2{ahead.x / length, ahead.y / length} : Vec2{1.0, 0.0};
 }
 
-PlanePoint moved(PlanePoint from, PlanePoint along, double distance) {
+Vec2 moved(Vec2 from, Vec2 along, double distance) {
     return {from.x + distance * along.x, from.y + distance * along.y};
 }
 
 /// Returns the point at the distance `offset` aside of the start or the end of `move`.
-PlanePoint point_aside(const OutlineMove& move, bool at_end, CutterSide side, double offset) {
+Vec2 point_aside(const OutlineMove& move, bool at_end, CutterSide side, double offset) {
     if (side == CutterSide::Off) return at_end ? move.to : move.from;
-    const PlanePoint ahead = direction_at(move, at_end);
+    const Vec2 ahead = direction_at(move, at_end);
     const double sign = side == CutterSide::Left ? 1.0 : -1.0;
     return moved(at_end ? move.to : move.from, {-ahead.y, ahead.x}, sign * offset);
 }
 
 /// Returns the move from the free end of `lead` to the tangent at `at`, or from `at` to the free
 /// end. The tool is on `side`.
-OutlineMove move_of(const Lead& lead, PlanePoint at, PlanePoint ahead, CutterSide side,
-                    bool is_way_out) {
+OutlineMove move_of(const Lead& lead, Vec2 at, Vec2 ahead, CutterSide side, bool is_way_out) {
     OutlineMove move{at, at, {}, 0};
-    PlanePoint& free_end = is_way_out ? move.to : move.from;
+    Vec2& free_end = is_way_out ? move.to : move.from;
     const double back = is_way_out ? 1.0 : -1.0;
     if (lead.form == Lead::Form::None) return move;
     if (lead.form == Lead::Form::Line) {
@@ -51,7 +50,7 @@ OutlineMove move_of(const Lead& lead, PlanePoint at, PlanePoint ahead, CutterSid
     }
     // The arc is on the side of the tool: the tool never comes nearer to the contour.
     const double sign = side == CutterSide::Right ? -1.0 : 1.0;
-    const PlanePoint away{-sign * ahead.y, sign * ahead.x};
+    const Vec2 away{-sign * ahead.y, sign * ahead.x};
     move.centre = moved(at, away, lead.size);
     move.turns = sign > 0.0 ? 1 : -1;
     free_end = lead.form == Lead::Form::Semicircle ? moved(at, away, 2.0 * lead.size)
@@ -93,7 +92,7 @@ bool BlockControl::mill_along(const ContourPath& m, std::string_view name) {
     double above = m.surface;
     bool is_first = true;
     for (const double level : levels_of(m.surface, m.bottom, m.infeed, m.has_equal_infeeds)) {
-        const PlanePoint begin = point_aside(contour.front(), false, side, m.offset);
+        const Vec2 begin = point_aside(contour.front(), false, side, m.offset);
         const OutlineMove in =
             move_of(m.in, begin, direction_at(contour.front(), false), side, false);
         if (!move_in_plane(in.from, is_first ? std::nullopt : m.transfer_feed) ||

@@ -14,7 +14,7 @@ void ContourRecorder::add(const Motion& motion) {
     if (!from) return;
     const auto in_plane = [&](const Position& p) {
         const std::array<double, 3> all{p.x.mm(), p.y.mm(), p.z.mm()};
-        return PlanePoint{all[axes_.first] / unit_mm_, all[axes_.second] / unit_mm_};
+        return Vec2{all[axes_.first] / unit_mm_, all[axes_.second] / unit_mm_};
     };
     OutlineMove move{in_plane(*from), in_plane(*to), {}, 0};
     if (const auto* const arc = std::get_if<Arc>(&motion.action)) {

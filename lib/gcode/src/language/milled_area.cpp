@@ -3,7 +3,7 @@
 // Outlines of rectangles and polygons with round corners, and of bands about arcs.
 #include "language/milled_area.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +16,12 @@ namespace {
 /// A shorter side is a rounding error, relative to the size of the area.
 constexpr double kSideRounding = 1e-9;
 
-PlanePoint polar(PlanePoint centre, double radius, double degrees) {
-    const trig::SinCos direction = trig::sin_cos(degrees);
+Vec2 polar(Vec2 centre, double radius, double degrees) {
+    const SinCos direction = sin_cos(degrees);
     return {centre.x + radius * direction.cos, centre.y + radius * direction.sin};
 }
 
-OutlineMove arc(PlanePoint from, PlanePoint to, PlanePoint centre, int turns) {
+OutlineMove arc(Vec2 from, Vec2 to, Vec2 centre, int turns) {
     return {from, to, centre, turns};
 }
 
@@ -33,11 +33,11 @@ Pass outline_of_band(const MilledArea& area, double inset) {
     const auto at = [&](double radius, double degrees) {
         return polar(area.centre, radius, degrees);
     };
-    const PlanePoint start = at(outer, area.angle + area.opening / 2.0);
-    const PlanePoint outer_end = at(outer, end);
-    const PlanePoint inner_end = at(inner, end);
-    const PlanePoint inner_start = at(inner, area.angle);
-    const PlanePoint outer_start = at(outer, area.angle);
+    const Vec2 start = at(outer, area.angle + area.opening / 2.0);
+    const Vec2 outer_end = at(outer, end);
+    const Vec2 inner_end = at(inner, end);
+    const Vec2 inner_start = at(inner, area.angle);
+    const Vec2 outer_start = at(outer, area.angle);
     return {arc(start, outer_end, area.centre, 1),
             arc(outer_end, inner_end, at(area.arc_radius, end), 1),
             arc(inner_end, inner_start, area.centre, -1),
@@ -49,14 +49,14 @@ Pass outline_of_polygon(const MilledArea& area, double inset) {
     const double side = area.length / 2.0 - inset;  // Distance of the sides from the centre.
     const double r = std::clamp(area.corner - inset, 0.0, side);
     const double step = 360.0 / area.sides;
-    const double to_centres = (side - r) / trig::sin_cos(step / 2.0).cos;
+    const double to_centres = (side - r) / sin_cos(step / 2.0).cos;
     const auto centre = [&](int i) {
         return polar(area.centre, to_centres, area.angle + i * step);
     };
     // End of the corner `i`, at the side behind the corner.
     const auto behind = [&](int i) { return polar(centre(i), r, area.angle + (i + 0.5) * step); };
     const auto before = [&](int i) { return polar(centre(i), r, area.angle + (i - 0.5) * step); };
-    const PlanePoint start = polar(centre(0), r, area.angle);
+    const Vec2 start = polar(centre(0), r, area.angle);
     Pass pass;
     if (r > 0.0) pass.push_back(arc(start, behind(0), centre(0), 1));
     for (int i = 1; i < area.sides; ++i) {
@@ -76,11 +76,11 @@ double MilledArea::half_width() const {
 
 double MilledArea::reach() const {
     if (!is_polygon()) return length / 2.0;
-    return (length / 2.0 - corner) / trig::sin_cos(180.0 / sides).cos + corner;
+    return (length / 2.0 - corner) / sin_cos(180.0 / sides).cos + corner;
 }
 
-PlanePoint point_in(const MilledArea& area, double x, double y) {
-    const trig::SinCos direction = trig::sin_cos(area.angle);
+Vec2 point_in(const MilledArea& area, double x, double y) {
+    const SinCos direction = sin_cos(area.angle);
     return {area.centre.x + x * direction.cos - y * direction.sin,
             area.centre.y + x * direction.sin + y * direction.cos};
 }
@@ -96,19 +96,19 @@ Pass outline_of(const MilledArea& area, double inset) {
     if (r < tiny) r = 0.0;
     if (r > most - tiny) r = most;
     const auto at = [&](double x, double y) { return point_in(area, x, y); };
-    const PlanePoint start = at(a, 0.0);
+    const Vec2 start = at(a, 0.0);
     if (r == most && a - b < tiny && b - a < tiny) return {arc(start, start, area.centre, 1)};
     Pass pass;
-    PlanePoint here = start;
+    Vec2 here = start;
     const auto line = [&](double length, double x, double y) {
         if (length <= tiny) return;
-        const PlanePoint end = at(x, y);
+        const Vec2 end = at(x, y);
         pass.push_back({here, end, {}, 0});
         here = end;
     };
     const auto turn = [&](double centre_x, double centre_y, double x, double y) {
         if (r == 0.0) return;
-        const PlanePoint end = at(x, y);
+        const Vec2 end = at(x, y);
         pass.push_back(arc(here, end, at(centre_x, centre_y), 1));
         here = end;
     };
@@ -126,24 +126,24 @@ Pass outline_of(const MilledArea& area, double inset) {
     return pass;
 }
 
-PlanePoint middle_of(const MilledArea& area) {
+Vec2 middle_of(const MilledArea& area) {
     if (!area.is_band()) return area.centre;
     return polar(area.centre, area.arc_radius, area.angle + area.opening / 2.0);
 }
 
 Pass centre_line_of(const MilledArea& area) {
-    const PlanePoint middle = middle_of(area);
+    const Vec2 middle = middle_of(area);
     if (area.is_band()) {
-        const PlanePoint start = polar(area.centre, area.arc_radius, area.angle);
-        const PlanePoint end = polar(area.centre, area.arc_radius, area.angle + area.opening);
+        const Vec2 start = polar(area.centre, area.arc_radius, area.angle);
+        const Vec2 end = polar(area.centre, area.arc_radius, area.angle + area.opening);
         return {arc(middle, start, area.centre, -1), arc(start, end, area.centre, 1),
                 arc(end, middle, area.centre, -1)};
     }
     const double half = (area.length - area.width) / 2.0;
     const double tiny = kSideRounding * std::max(area.length, area.width);
     if (std::abs(half) <= tiny) return {};
-    const PlanePoint start = half > 0.0 ? point_in(area, -half, 0.0) : point_in(area, 0.0, half);
-    const PlanePoint end = half > 0.0 ? point_in(area, half, 0.0) : point_in(area, 0.0, -half);
+    const Vec2 start = half > 0.0 ? point_in(area, -half, 0.0) : point_in(area, 0.0, half);
+    const Vec2 end = half > 0.0 ? point_in(area, half, 0.0) : point_in(area, 0.0, -half);
     return {{middle, start, {}, 0}, {start, end, {}, 0}, {end, middle, {}, 0}};
 }
 

@@ -12,7 +12,7 @@ namespace ncsim::gcode::language {
 /// An area in the plane, active units: a rectangle with round corners (also a circle, a slot), a
 /// band about an arc (a circular slot), or a regular polygon with round corners.
 struct MilledArea {
-    PlanePoint centre;        ///< Centre of the rectangle or the arc.
+    Vec2 centre;              ///< Centre of the rectangle or the arc.
     double angle = 0.0;       ///< Degrees: direction of the length, or of the start of the band.
     double length = 0.0;      ///< Length of the rectangle.
     double width = 0.0;       ///< Width of the rectangle or the band.
@@ -40,13 +40,13 @@ using Pass = std::vector<OutlineMove>;
 /// Requires: `inset` < area.half_width().
 Pass outline_of(const MilledArea& area, double inset);
 /// Returns the middle of the area.
-PlanePoint middle_of(const MilledArea& area);
+Vec2 middle_of(const MilledArea& area);
 /// Returns the moves from the middle along the centre line to one end, to the other end, and back
 /// to the middle; empty for a circle or a square.
 Pass centre_line_of(const MilledArea& area);
 /// Reverses the order and the direction of the moves.
 void reverse(Pass& pass);
 /// Returns the point at `x` and `y` from the centre of the area, in the directions of its sides.
-PlanePoint point_in(const MilledArea& area, double x, double y);
+Vec2 point_in(const MilledArea& area, double x, double y);
 
 }  // namespace ncsim::gcode::language

@@ -46,7 +46,7 @@ struct Milling {
 
 /// A face that is milled in parallel strokes.
 struct FaceMilling {
-    PlanePoint corner;                 ///< Corner at the beginning of the first stroke.
+    Vec2 corner;                       ///< Corner at the beginning of the first stroke.
     double angle = 0.0;                ///< Degrees: direction of the length.
     double length = 0.0, width = 0.0;  ///< Signs: the side of the corner on which the face is.
     bool is_along_second = false;      ///< The strokes are along the second axis.
@@ -88,7 +88,7 @@ struct ContourPath {
 
 /// A thread that is milled along helices.
 struct ThreadMilling {
-    PlanePoint centre;
+    Vec2 centre;
     double radius = 0.0;  ///< Radius of the path of the tool centre.
     bool is_internal = true;
     double entry = 0.0;  ///< External thread: radius at which the tool goes down.

@@ -3,10 +3,10 @@
 // Words and comments of blocks.
 #include "language/notes.h"
 
+#include "ncsim/base/ascii.h"
 #include "ncsim/gcode/print.h"
 
 #include "language/block_control.h"
-#include "text/characters.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,10 +3,10 @@
 // Divides a file into sections at O numbers and decides which sections are programs.
 #include "ncsim/gcode/file_programs.h"
 
+#include "ncsim/base/ascii.h"
 #include "ncsim/gcode/parser.h"
 
 #include "program/program_index.h"
-#include "text/characters.h"
 #include "text/line_end.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // G2, G3, CIP, CT: arcs by centre, radius, opening angle, three points and tangent; TURN=; polar
 // coordinates.
 // Source: SINUMERIK 840D sl, Programming Manual Fundamentals, "Circular interpolation", 06/2019.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "sinumerik/sinumerik_control.h"
 #include "text/message.h"
@@ -62,8 +62,8 @@ bool Control::arc_by_opening(const Words& words, const Command& command, Program
     const double x = at_[axes.first];
     const double y = at_[axes.second];
     if (has_end) {
-        const double chord = trig::length_of(arc.end[axes.first] - x, arc.end[axes.second] - y);
-        const double radius = chord / 2.0 / trig::sin_cos(opening / 2.0).sin;
+        const double chord = hypotenuse(arc.end[axes.first] - x, arc.end[axes.second] - y);
+        const double radius = chord / 2.0 / sin_cos(opening / 2.0).sin;
         return make_arc(arc, mask, opening > 180.0 ? -radius : radius, command);
     }
     const std::optional<double> first = centre_of(words, axes.first);
@@ -74,7 +74,7 @@ bool Control::arc_by_opening(const Words& words, const Command& command, Program
     arc.centre_2 = second.value_or(y);
     double dx = x - arc.centre_1;
     double dy = y - arc.centre_2;
-    trig::rotate(dx, dy, arc.turns > 0 ? opening : -opening);
+    rotate(dx, dy, arc.turns > 0 ? opening : -opening);
     arc.end[axes.first] = arc.centre_1 + dx;
     arc.end[axes.second] = arc.centre_2 + dy;
     return make_arc(arc, mask, std::nullopt, command);
@@ -136,16 +136,15 @@ bool Control::tangential(const Command& command, const Axes& end, AxisMask mask,
 bool Control::set_pole(int code, const Words& words, SourceSpan span) {
     const PlaneAxes axes = axes_of(plane_);
     const std::array<std::size_t, 2> index{axes.first, axes.second};
-    const std::array<double, 2> from =
-        code == 110   ? std::array<double, 2>{at_[axes.first], at_[axes.second]}
-        : code == 112 ? pole_
-                      : std::array<double, 2>{};
+    const Vec2 from = code == 110   ? Vec2{at_[axes.first], at_[axes.second]}
+                      : code == 112 ? pole_
+                                    : Vec2{};
     for (std::size_t i = 0; i < 2; ++i)
         pole_[i] = from[i];
     if (words.polar_radius || words.polar_angle) {
         if (!words.polar_radius || !words.polar_angle)
             return fail(Message::BlockNeeds, span, {"the pole", "AP and RP"});
-        const trig::SinCos direction = trig::sin_cos(words.polar_angle->value);
+        const SinCos direction = sin_cos(words.polar_angle->value);
         pole_[0] += *words.polar_radius * direction.cos;
         pole_[1] += *words.polar_radius * direction.sin;
     }
@@ -165,14 +164,14 @@ bool Control::polar_end(const Words& words, Axes& end, AxisMask& mask, SourceSpa
         return fail(Message::NotRead, span, {"AP or RP with an axis of the plane"});
     const double x = at_[axes.first] - pole_[0];
     const double y = at_[axes.second] - pole_[1];
-    double radius = polar_radius_.value_or(trig::length_of(x, y));
-    double angle = polar_angle_.value_or(trig::angle_of(x, y));
+    double radius = polar_radius_.value_or(hypotenuse(x, y));
+    double angle = polar_angle_.value_or(angle_of(x, y));
     if (words.polar_radius) radius = *words.polar_radius;
     if (words.polar_angle) {
         const bool adds = is_increment(*words.polar_angle);
         angle = adds ? angle + words.polar_angle->value : words.polar_angle->value;
     }
-    const trig::SinCos direction = trig::sin_cos(angle);
+    const SinCos direction = sin_cos(angle);
     end[axes.first] = pole_[0] + radius * direction.cos;
     end[axes.second] = pole_[1] + radius * direction.sin;
     mask |= 1U << axes.first | 1U << axes.second;

@@ -3,8 +3,8 @@
 // Operators, functions and names of expressions.
 #include "sinumerik/formula.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/gcode/print.h"
-#include "ncsim/trig/angles.h"
 
 #include "text/message.h"
 #include "text/number.h"
@@ -416,14 +416,13 @@ std::optional<Value> Expressions::function(std::string_view name, CodeScanner& s
     const double x = arguments[0].number;
     const double y = count > 1 ? arguments[1].number : 0.0;
     if (count == 1) {
-        if (name == "SIN") return Value::of(trig::sin_cos(x).sin);
-        if (name == "COS") return Value::of(trig::sin_cos(x).cos);
-        if (name == "TAN")
-            return trig::sin_cos(x).cos == 0.0 ? refuse() : Value::of(trig::tangent(x));
+        if (name == "SIN") return Value::of(sin_cos(x).sin);
+        if (name == "COS") return Value::of(sin_cos(x).cos);
+        if (name == "TAN") return sin_cos(x).cos == 0.0 ? refuse() : Value::of(tangent(x));
         if (name == "ASIN" || name == "ACOS") {
             if (std::abs(x) > 1.0) return refuse();
             const double other = std::sqrt((1.0 - x) * (1.0 + x));
-            return Value::of(name == "ASIN" ? trig::angle_of(other, x) : trig::angle_of(x, other));
+            return Value::of(name == "ASIN" ? angle_of(other, x) : angle_of(x, other));
         }
         if (name == "SQRT") return x < 0.0 ? refuse() : Value::of(std::sqrt(x));
         if (name == "POT") return checked(x * x, span);
@@ -434,7 +433,7 @@ std::optional<Value> Expressions::function(std::string_view name, CodeScanner& s
         if (name == "EXP") return checked(std::exp(x), span);
     }
     if (count == 2) {
-        if (name == "ATAN2") return Value::of(trig::angle_of(y, x));
+        if (name == "ATAN2") return Value::of(angle_of(y, x));
         if (name == "MINVAL") return Value::of(std::min(x, y));
         if (name == "MAXVAL") return Value::of(std::max(x, y));
     }

@@ -2,7 +2,7 @@
 //
 // Hole cycles CYCLE81 … CYCLE89, CYCLE840, and patterns of holes.
 // Source: SINUMERIK 840D sl, Programming Manual Cycles, 2007, and the parameters of 06/2019.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "sinumerik/sinumerik_control.h"
 #include "text/message.h"
@@ -292,13 +292,13 @@ std::optional<std::vector<HolePlace>> Control::pattern(const CycleCall& call) {
         // CPA, CPO, RAD, STA1, INDA, NUM. INDA 0: the holes share the circle.
         const double step = at(4) != 0.0 ? at(4) : 360.0 / columns;
         for (int i = 0; i < count; ++i) {
-            const trig::SinCos direction = trig::sin_cos(at(3) + i * step);
+            const SinCos direction = sin_cos(at(3) + i * step);
             places.push_back({at(0) + at(2) * direction.cos, at(1) + at(2) * direction.sin});
         }
         return places;
     }
     // HOLES1: SPCA, SPCO, STA1, FDIS, DBH, NUM. CYCLE801: SPCA, SPCO, STA, DIS1, DIS2, NUM1, NUM2.
-    const trig::SinCos direction = trig::sin_cos(at(2));
+    const SinCos direction = sin_cos(at(2));
     for (int row = 0; row < static_cast<int>(rows); ++row) {
         for (int i = 0; i < count; ++i) {
             const int column = is_grid && row % 2 == 1 ? count - 1 - i : i;

@@ -3,7 +3,8 @@
 // Reads lines.
 #include "sinumerik/line_reader.h"
 
-#include "text/characters.h"
+#include "ncsim/base/ascii.h"
+
 #include "text/code_scanner.h"
 #include "text/line_end.h"
 

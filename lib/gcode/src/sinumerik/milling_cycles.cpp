@@ -2,7 +2,7 @@
 //
 // Milling cycles POCKET1 … POCKET4, CYCLE76, CYCLE77 (spigots), CYCLE90 (threads).
 // Source: SINUMERIK 840D sl, Programming Manual Cycles, 2007, and NC Programming, 06/2019.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "sinumerik/sinumerik_control.h"
 #include "text/message.h"
@@ -255,8 +255,7 @@ bool Control::read_spigot_blank(const CycleCall& call, const MillingArguments& a
     log_.add(Message::MillsOutside, call.span, {call.name});
     const double x = (length - m.area.length) / 2.0;
     const double y = (width - m.area.width) / 2.0;
-    m.blank =
-        is_rectangle ? trig::length_of(x + m.area.corner, y + m.area.corner) - m.area.corner : x;
+    m.blank = is_rectangle ? hypotenuse(x + m.area.corner, y + m.area.corner) - m.area.corner : x;
     return true;
 }
 

@@ -4,7 +4,7 @@
 // Source: SINUMERIK 840D sl, Programming Manual Fundamentals, 06/2019.
 #include "sinumerik/sinumerik_control.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "text/message.h"
 

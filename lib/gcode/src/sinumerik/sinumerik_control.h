@@ -4,6 +4,8 @@
 // No text of G-code is made.
 #pragma once
 
+#include "ncsim/base/vec2.h"
+
 #include "control/machine.h"
 #include "language/block_control.h"
 #include "sinumerik/formula.h"
@@ -188,7 +190,7 @@ private:
     CutterSide side_ = CutterSide::Off;
     double modal_rounding_ = 0.0;     ///< RNDM; 0: off.
     double modal_corner_feed_ = 0.0;  ///< FRCM; 0: none.
-    std::array<double, 2> pole_{};
+    Vec2 pole_{};
     std::optional<double> polar_radius_, polar_angle_;  ///< Last words, while the tool is there.
     Frame chain_;                                       ///< TRANS, ROT, SCALE, MIRROR.
     Frame swivel_;                                      ///< CYCLE800

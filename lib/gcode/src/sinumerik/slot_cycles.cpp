@@ -2,7 +2,7 @@
 //
 // Slots on a circle: SLOT1, LONGHOLE (straight, pointing outwards), SLOT2 (along the circle).
 // Source: SINUMERIK 840D sl/840D/840Di/810D, Programming Manual Cycles, 11/2006.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "sinumerik/sinumerik_control.h"
 #include "text/message.h"
@@ -105,7 +105,7 @@ bool Control::mill_slots_cycle(const CycleCall& call, double radius) {
     if (!rise(hole.retract)) return false;
     for (int i = 0; i < *count; ++i) {
         area.angle = at(place + 3) + i * step;
-        const trig::SinCos direction = trig::sin_cos(area.angle);
+        const SinCos direction = sin_cos(area.angle);
         area.centre = {at(place) + middle * direction.cos, at(place + 1) + middle * direction.sin};
         if (!mill(m, call.name) || !move_to(hole.retract, std::nullopt)) return false;
     }
@@ -139,9 +139,9 @@ bool Control::mill_circular_slots_cycle(const CycleCall& call, double radius) {
     const double step = at(12) != 0.0 ? at(12) : 360.0 / *count;
     if (!rise(hole.retract)) return false;
     for (int i = 0; i < *count; ++i) {
-        const PlanePoint from = point_in_plane();
+        const Vec2 from = point_in_plane();
         area.angle = at(11) + i * step;
-        const PlanePoint to = language::middle_of(area);
+        const Vec2 to = language::middle_of(area);
         // VARI 1x: from slot to slot along the circle, with the feed _FFCP.
         const bool is_arc = i > 0 && way == 1;
         const double feed = at(22) > 0.0 ? feed_of(at(22)) : m.feed;

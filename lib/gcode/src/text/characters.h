@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Classes of characters in NC programs, independent of the locale.
+// Characters that begin a value in NC programs.
 #pragma once
+
+#include "ncsim/base/ascii.h"
 
 namespace ncsim::gcode {
 
-constexpr bool is_blank(char c) {
-    return c == ' ' || c == '\t';
-}
-constexpr bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-constexpr char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-}
-constexpr char upper(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-}
-constexpr bool is_letter(char c) {
-    return lower(c) >= 'a' && lower(c) <= 'z';
-}
 constexpr bool starts_value(char c) {
     return is_digit(c) || c == '.' || c == '-' || c == '+' || c == '[' || c == '#';
 }

@@ -3,7 +3,7 @@
 // Reads names, texts and whole numbers from the code of a block.
 #pragma once
 
-#include "text/characters.h"
+#include "ncsim/base/ascii.h"
 
 #include <cstddef>
 #include <cstdint>

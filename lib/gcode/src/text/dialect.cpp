@@ -3,7 +3,8 @@
 // Signs of dialects and of other languages in the text of a program.
 #include "ncsim/gcode/dialect.h"
 
-#include "text/characters.h"
+#include "ncsim/base/ascii.h"
+
 #include "text/line_end.h"
 #include "text/number.h"
 

@@ -3,7 +3,7 @@
 // A recursive-descent evaluator of expressions.
 #include "text/expression.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "text/number.h"
 
@@ -222,21 +222,21 @@ private:
             }
         }
         if (name == "pow") return finite(std::pow(*a, *b));
-        return trig::angle_of(*b, *a);
+        return angle_of(*b, *a);
     }
 
     std::optional<double> unary_function(std::string_view name, double x) {
         if (name == "abs") return std::abs(x);
-        if (name == "sin") return trig::sin_cos(x).sin;
-        if (name == "cos") return trig::sin_cos(x).cos;
+        if (name == "sin") return sin_cos(x).sin;
+        if (name == "cos") return sin_cos(x).cos;
         if (name == "tan") {
-            const trig::SinCos s = trig::sin_cos(x);
+            const SinCos s = sin_cos(x);
             return finite(s.sin / s.cos);
         }
         if (name == "asin" || name == "acos") {
             if (std::abs(x) > 1.0) return fail(Message::FunctionRange, name);
             const double other = std::sqrt((1.0 - x) * (1.0 + x));
-            return name == "asin" ? trig::angle_of(other, x) : trig::angle_of(x, other);
+            return name == "asin" ? angle_of(other, x) : angle_of(x, other);
         }
         if (name == "sqrt" || (name == "sqr" && !arithmetic_.strict)) {
             if (x < 0.0) return fail(Message::FunctionRange, name);

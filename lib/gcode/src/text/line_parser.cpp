@@ -3,7 +3,8 @@
 // Parses a line in place, or from a clean copy.
 #include "text/line_parser.h"
 
-#include "text/characters.h"
+#include "ncsim/base/ascii.h"
+
 #include "text/message.h"
 #include "text/number.h"
 

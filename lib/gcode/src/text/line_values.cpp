@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Finds the ends of values. Values are evaluated by expression.h.
-#include "text/characters.h"
+#include "ncsim/base/ascii.h"
+
 #include "text/line_parser.h"
 #include "text/message.h"
 #include "text/number.h"

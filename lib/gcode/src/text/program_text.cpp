@@ -3,9 +3,9 @@
 // Classifies a text by counting lines that are blocks of some control.
 #include "ncsim/gcode/program_text.h"
 
+#include "ncsim/base/ascii.h"
 #include "ncsim/gcode/parser.h"
 
-#include "text/characters.h"
 #include "text/line_end.h"
 
 #include <algorithm>
@@ -56,14 +56,10 @@ constexpr std::array kBlockNames = {
     Names("VC"), Names("VZOF"), Names("RTS"), Names("MODIN"), Names("MODOUT"), Names("NOEX"),
     Names("FMILH"), Names("FMILR"), Names("CALRG")};
 
+constexpr std::string_view kLineBlanks = " \t\f";
+
 bool is_block_name(std::string_view name) {
     return std::ranges::find(kBlockNames, name) != kBlockNames.end();
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(" \t\f");
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t\f") + 1 - begin);
 }
 
 /// Returns the whole number at `at`; -1 if there is no number or the number has more than three
@@ -103,9 +99,9 @@ std::string code_of(std::string_view line) {
 
 /// True for Klartext, with or without a line number: "L X+10 Y+5 R0 FMAX", "TOOL CALL 5 Z S2000".
 bool is_klartext(std::string_view code) {
-    code = trimmed(code);
+    code = trimmed(code, kLineBlanks);
     code.remove_prefix(std::min(code.find_first_not_of("0123456789"), code.size()));
-    code = trimmed(code);
+    code = trimmed(code, kLineBlanks);
     constexpr std::array kBegins = {Names("BEGIN PGM "), Names("END PGM "),  Names("TOOL CALL "),
                                     Names("TOOL DEF "),  Names("CYCL DEF "), Names("CYCL CALL"),
                                     Names("BLK FORM "),  Names("LBL "),      Names("CALL LBL "),
@@ -116,7 +112,7 @@ bool is_klartext(std::string_view code) {
                                    Names("CR "), Names("CT "), Names("LN ")};
     for (const Names move : kMoves) {
         if (!code.starts_with(move)) continue;
-        std::string_view rest = trimmed(code.substr(move.size()));
+        std::string_view rest = trimmed(code.substr(move.size()), kLineBlanks);
         if (rest.starts_with('I')) rest.remove_prefix(1);
         return rest.size() >= 2 && rest[0] >= 'X' && rest[0] <= 'Z' &&
                (rest[1] == '+' || rest[1] == '-' || rest[1] == 'Q' || is_digit(rest[1]));
@@ -175,7 +171,8 @@ private:
         }
         if (is_digit(c) || c == '.') return lone_number();
         if (c == ',' && at_ + 1 < code_.size() && is_letter(code_[at_ + 1])) return ++at_, true;
-        if (c == '*' && trimmed(code_.substr(at_ + 1)).empty()) return ++at_, true;  // DIN/ISO.
+        if (c == '*' && trimmed(code_.substr(at_ + 1), kLineBlanks).empty())
+            return ++at_, true;  // DIN/ISO.
         if (c == '=' && items_ > 0) return ++at_, value(true);
         if ((c == '+' || c == '-' || c == '*' || c == '/') && items_ > 0) return ++at_, true;
         return false;
@@ -288,10 +285,10 @@ void count_other(std::string_view line, Lines& lines) {
 }
 
 void count(std::string_view raw, Lines& lines) {
-    const std::string_view line = trimmed(raw);
+    const std::string_view line = trimmed(raw, kLineBlanks);
     if (line.empty()) return;
     const std::string whole = code_of(line);
-    const std::string_view code = trimmed(whole);
+    const std::string_view code = trimmed(whole, kLineBlanks);
     if (code.empty()) return;
     const bool has_columns = std::ranges::count(line, '\t') >= 3;
     if (!has_columns && (is_klartext(code) || is_sinumerik(code))) {
@@ -308,7 +305,7 @@ void count(std::string_view raw, Lines& lines) {
 /// Returns the kind that the first characters prove; Program: no proof.
 TextKind kind_of_beginning(std::string_view text) {
     if (text.starts_with("#!")) return TextKind::Script;
-    const std::string_view first = trimmed(text.substr(0, 4096));
+    const std::string_view first = trimmed(text.substr(0, 4096), kLineBlanks);
     const std::size_t begin = first.find_first_not_of("\r\n \t\f");
     if (begin == std::string_view::npos) return TextKind::Program;
     const std::string_view start = first.substr(begin);
@@ -324,7 +321,7 @@ TextKind kind_of_beginning(std::string_view text) {
 
 /// Returns the kind that a single line proves; Program: no proof.
 TextKind kind_of_line(std::string_view line) {
-    const std::string_view start = trimmed(line);
+    const std::string_view start = trimmed(line, kLineBlanks);
     constexpr std::array kSource = {Names("#include"), Names("#define"),   Names("#ifdef"),
                                     Names("#ifndef"),  Names("#pragma"),   Names("#endif"),
                                     Names("import "),  Names("def "),      Names("class "),
@@ -350,9 +347,8 @@ TextKind kind_of_line(std::string_view line) {
 bool is_binary(std::string_view text) {
     // Leaders of punched tape, and the ends of files of CP/M.
     constexpr std::string_view kPadding("\0\x1a", 2);
-    const std::size_t begin = text.find_first_not_of(kPadding);
-    if (begin == std::string_view::npos) return true;
-    text = text.substr(begin, text.find_last_not_of(kPadding) + 1 - begin);
+    text = trimmed(text, kPadding);
+    if (text.empty()) return true;
     if (text.find('\0') != std::string_view::npos) return true;
     const auto odd = std::ranges::count_if(text, [](char c) {
         return c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f' &&

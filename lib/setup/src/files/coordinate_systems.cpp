@@ -3,9 +3,10 @@
 // Names and numbers of coordinate systems.
 #include "ncsim/setup/coordinate_systems.h"
 
+#include "ncsim/base/number_text.h"
+
 #include <fmt/format.h>
 
-#include <charconv>
 #include <string_view>
 #include <system_error>
 
@@ -23,12 +24,9 @@ std::optional<int> system_named(const std::string& name) {
     }
     constexpr std::string_view kExtended = "G54.1 P";
     if (!name.starts_with(kExtended)) return std::nullopt;
-    int number = 0;
-    const char* end = name.data() + name.size();
-    const auto read = std::from_chars(name.data() + kExtended.size(), end, number);
-    if (read.ec != std::errc{} || read.ptr != end || number < 1 || number > 300)
-        return std::nullopt;
-    return kNamedSystems + number;
+    const auto number = number_in<int>(std::string_view(name).substr(kExtended.size()));
+    if (!number || *number < 1 || *number > 300) return std::nullopt;
+    return kNamedSystems + *number;
 }
 
 std::string name_of_system(int system) {
@@ -36,7 +34,7 @@ std::string name_of_system(int system) {
     return system > 6 ? fmt::format("G59.{}", system - 6) : fmt::format("G{}", 53 + system);
 }
 
-void tell_offset(gcode::InterpreterOptions& options, int system, cda::Vec3 origin) {
+void tell_offset(gcode::InterpreterOptions& options, int system, Vec3 origin) {
     gcode::Position at;
     at.x = gcode::Length::from_mm(origin.x);
     at.y = gcode::Length::from_mm(origin.y);
@@ -51,10 +49,8 @@ void tell_offset(gcode::InterpreterOptions& options, int system, cda::Vec3 origi
     }
 }
 
-std::optional<cda::Vec3> origin_of(const gcode::InterpreterOptions& options, int system) {
-    const auto vector = [](const gcode::Position& p) {
-        return cda::Vec3{p.x.mm(), p.y.mm(), p.z.mm()};
-    };
+std::optional<Vec3> origin_of(const gcode::InterpreterOptions& options, int system) {
+    const auto vector = [](const gcode::Position& p) { return Vec3{p.x.mm(), p.y.mm(), p.z.mm()}; };
     const int named = static_cast<int>(options.work_offsets.size());
     if (system > named) {
         const auto found = options.extended_offsets.find(system - named);

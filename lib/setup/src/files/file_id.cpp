@@ -3,12 +3,13 @@
 // Identity of files, and resolution of symbolic links.
 #include "ncsim/setup/file_id.h"
 
+#include "ncsim/base/number_text.h"
+
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
@@ -70,11 +71,7 @@ int descriptor_named(const std::string& path) {
     const std::string folder = folder_of(path).string();
     if (!folder.starts_with(fmt::format("/proc/{}/", ::getpid())) || !folder.ends_with("/fd"))
         return -1;
-    const std::string name = fs::path(path).filename().string();
-    int descriptor = -1;
-    const char* end = name.data() + name.size();
-    const auto read = std::from_chars(name.data(), end, descriptor);
-    return read.ec == std::errc{} && read.ptr == end ? descriptor : -1;
+    return number_in<int>(fs::path(path).filename().string()).value_or(-1);
 }
 
 }  // namespace ncsim::setup

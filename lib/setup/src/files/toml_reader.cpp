@@ -63,7 +63,7 @@ const toml::array& TomlReader::list(const toml::node& node) {
     return *node.as_array();
 }
 
-cda::Vec3 TomlReader::vector(const toml::node& node) {
+Vec3 TomlReader::vector(const toml::node& node) {
     const toml::array& a = list(node);
     return {number(a[0]), number(a[1]), number(a[2])};
 }
@@ -93,8 +93,8 @@ TomlReader::Take tables(TomlReader::Take take) {
     };
 }
 
-std::map<int, cda::Vec3> read_offsets(const TomlReader& reader, const toml::node& node) {
-    std::map<int, cda::Vec3> offsets;
+std::map<int, Vec3> read_offsets(const TomlReader& reader, const toml::node& node) {
+    std::map<int, Vec3> offsets;
     for (const auto& [name, value] : TomlReader::table(node)) {
         const auto system = system_named(std::string(name.str()));
         if (!system) {

@@ -4,7 +4,7 @@
 // value must have its type, and errors are reported with file, line and column.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <toml++/toml.h>
 
@@ -44,7 +44,7 @@ public:
     static std::string text(const toml::node& node);
     static const toml::table& table(const toml::node& node);
     static const toml::array& list(const toml::node& node);
-    static cda::Vec3 vector(const toml::node& node);
+    static Vec3 vector(const toml::node& node);
     static std::vector<std::string> texts(const toml::node& node);
 
     /// Takes the value of a key; `key` is the name of the node in messages, such as "travel.x".
@@ -78,7 +78,7 @@ template <class Value>
 TomlReader::Take into(Value& value) {
     return [&value](const toml::node& node, const std::string&) {
         using Type = typename ValueOf<Value>::type;
-        if constexpr (std::is_same_v<Type, cda::Vec3>) {
+        if constexpr (std::is_same_v<Type, Vec3>) {
             value = TomlReader::vector(node);
         } else if constexpr (std::is_same_v<Type, std::vector<std::string>>) {
             value = TomlReader::texts(node);
@@ -93,6 +93,6 @@ TomlReader::Take tables(TomlReader::Take take);
 
 /// Reads origins of coordinate systems in machine coordinates, mm: a table with the keys G54 …
 /// G59.3 and "G54.1 P1" …, numbered as in gcode::MachineState::system.
-std::map<int, cda::Vec3> read_offsets(const TomlReader& reader, const toml::node& node);
+std::map<int, Vec3> read_offsets(const TomlReader& reader, const toml::node& node);
 
 }  // namespace ncsim::setup

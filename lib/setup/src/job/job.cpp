@@ -209,7 +209,7 @@ std::vector<toolpath::ToolFile> read_tables(JobOptions& options, InputSet& input
     return tables;
 }
 
-std::string text_of(const cda::Box& box) {
+std::string text_of(const Box& box) {
     return fmt::format("{:g},{:g},{:g}:{:g},{:g},{:g}", box.min.x, box.min.y, box.min.z, box.max.x,
                        box.max.y, box.max.z);
 }
@@ -240,7 +240,7 @@ void doubt_contradiction(Job& job, const toolpath::ToolEntry& option,
 void doubt_contradiction(Job& job, const std::optional<toolpath::StockEntry>& noted) {
     constexpr double kSame = 0.01;  // mm
     if (!noted || !job.stock || job.stock->specified_by != toolpath::ValueSource::Option) return;
-    const cda::Box &option = job.stock->box, &block = noted->box;
+    const Box &option = job.stock->box, &block = noted->box;
     bool differs = false;
     for (int axis = 0; axis < 3; ++axis) {
         const double low = block.min[axis] - option.min[axis];
@@ -271,7 +271,7 @@ void add_tool(Job& job, const toolpath::ToolEntry& entry) {
         job.tools.push_back(entry);
         return;
     }
-    if (known->offset == cda::Vec3{}) known->offset = entry.offset;
+    if (known->offset == Vec3{}) known->offset = entry.offset;
     if (known->specified_by == toolpath::ValueSource::Option)
         doubt_contradiction(job, *known, entry);
     constexpr double kSame = 1e-3;  // mm; CAM systems round printed values

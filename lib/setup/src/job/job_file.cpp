@@ -3,6 +3,8 @@
 // Reads job files.
 #include "ncsim/setup/job_file.h"
 
+#include "ncsim/base/ascii.h"
+#include "ncsim/base/number_text.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/setup/stock_file.h"
@@ -21,7 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -255,7 +256,7 @@ private:
             if (fixture.system != 0) continue;
             fixture.box.min = fixture.box.min - set_up.zero;
             fixture.box.max = fixture.box.max - set_up.zero;
-            for (cda::Vec3& p : fixture.mesh.vertices)
+            for (Vec3& p : fixture.mesh.vertices)
                 p = p - set_up.zero;
         }
         return set_up;
@@ -290,8 +291,8 @@ private:
     }
 
     TurnAndMove read_points(const toml::node& node, const std::string& key) const {
-        std::array<cda::Vec3, 3> before{}, now{};
-        const auto three = [](std::array<cda::Vec3, 3>& points) {
+        std::array<Vec3, 3> before{}, now{};
+        const auto three = [](std::array<Vec3, 3>& points) {
             return [&points](const toml::node& n, const std::string&) {
                 std::ranges::transform(TomlReader::list(n), points.begin(), TomlReader::vector);
             };
@@ -372,7 +373,7 @@ private:
 
     toolpath::Stock read_stock(const toml::table& t, const std::string& key, JobFile& job) const {
         if (t.contains("file")) return read_stock_from_file(t, key);
-        std::optional<cda::Vec3> min, max;
+        std::optional<Vec3> min, max;
         toolpath::Stock stock;
         TomlReader::each(
             t, key,
@@ -391,7 +392,7 @@ private:
             r_.fail(*t.get("max"), "each number of max must be larger than that of min");
         }
         stock.box.add(*min), stock.box.add(*max);
-        const cda::Vec3 size = stock.box.size();
+        const Vec3 size = stock.box.size();
         const int across = (stock.axis + 1) % 3, up = (stock.axis + 2) % 3;
         if (stock.is_round && std::abs(size[across] - size[up]) > 1e-9 * size[across]) {
             r_.fail(*t.get("max"), fmt::format("a round stock along {} is as wide in {} as in {}",
@@ -409,7 +410,7 @@ private:
              {"profile", [&](const toml::node& n, const std::string&) {
                   double height = 0.0;
                   for (const toml::node& corner : TomlReader::list(n)) {
-                      const cda::Vec3 v = TomlReader::vector(corner);
+                      const Vec3 v = TomlReader::vector(corner);
                       if (v.x < 0 || v.y < height || v.z < 0) {
                           r_.fail(corner,
                                   "expected [radius, height, fillet] from the lower end to the "
@@ -469,9 +470,7 @@ private:
 }  // namespace
 
 std::optional<std::string> variable_name(std::string_view text) {
-    std::string name;
-    for (const char c : text)
-        name += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    std::string name = lowercase(text);
     if (name.starts_with("#<") && name.ends_with('>') && name.size() > 3) return name;
     constexpr std::size_t kMostDigits = 5;
     // Q parameters of Klartext and R parameters of SINUMERIK begin at 0.
@@ -485,13 +484,9 @@ std::optional<std::string> variable_name(std::string_view text) {
 
 std::optional<int> compensation_register(std::string_view text) {
     constexpr int kMost = 9999;
-    int number = 0;
-    const char* const end = text.data() + text.size();
     if (text.size() < 2 || (text[0] != 'D' && text[0] != 'd')) return std::nullopt;
-    if (std::from_chars(text.data() + 1, end, number) != std::from_chars_result{end, std::errc{}})
-        return std::nullopt;
-    if (number < 1 || number > kMost) return std::nullopt;
-    return number;
+    const auto number = number_in<int>(text.substr(1));
+    return number && *number >= 1 && *number <= kMost ? number : std::nullopt;
 }
 
 JobFile parse_job_file(const gcode::SourceFile& file) {

@@ -35,7 +35,7 @@ std::string number(double value) {
     return text;
 }
 
-std::string triple(cda::Vec3 v) {
+std::string triple(Vec3 v) {
     return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
 }
 
@@ -62,7 +62,7 @@ void write_list(std::ostream& out, const char* key, const std::vector<std::strin
     out << "]\n";
 }
 
-void write_tool(std::ostream& out, const ToolSpec& spec, cda::Vec3 offset) {
+void write_tool(std::ostream& out, const ToolSpec& spec, Vec3 offset) {
     out << "[[tool]]\nnumber = " << spec.number << '\n';
     write_list(out, "assumed", spec.assumed);
     if (spec.kind) out << "kind = \"" << key_of(*spec.kind) << "\"\n";
@@ -82,7 +82,7 @@ void write_tool(std::ostream& out, const ToolSpec& spec, cda::Vec3 offset) {
         }
         out << "]\n";
     }
-    if (!(offset == cda::Vec3{})) out << "offset = " << triple(offset) << '\n';
+    if (!(offset == Vec3{})) out << "offset = " << triple(offset) << '\n';
     if (!spec.description.empty()) out << "description = " << quoted(spec.description) << '\n';
     for (const toolpath::ToolPiece& piece : spec.pieces) {
         out << "[[tool.piece]]\ncutting = " << (piece.cutting ? "true" : "false")
@@ -106,7 +106,7 @@ void write_stock(std::ostream& out, const toolpath::Stock& stock) {
     }
     out << "file = " << quoted(stock.from->path) << '\n';
     if (!stock.from->turn.empty()) out << "turn = " << quoted(stock.from->turn) << '\n';
-    if (!(stock.from->move == cda::Vec3{})) out << "move = " << triple(stock.from->move) << '\n';
+    if (!(stock.from->move == Vec3{})) out << "move = " << triple(stock.from->move) << '\n';
 }
 
 // Requires: no fixture is a mesh.

@@ -3,7 +3,7 @@
 // Position of a part from three of its points.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <array>
 #include <string>
@@ -13,7 +13,7 @@ namespace ncsim::setup {
 /// A rotation as text of parse_any_turn(), followed by a translation in mm.
 struct TurnAndMove {
     std::string turn;
-    cda::Vec3 move{};
+    Vec3 move{};
 };
 
 /// Largest difference, mm, of a distance between two points before and now.
@@ -23,6 +23,6 @@ inline constexpr double kPointTolerance = 0.01;
 /// to `now[1]`, and the third point to the plane and side of `now[2]`. Coordinates are in mm.
 /// Angles within 1e-6 degrees of a right angle are right angles. Throws: std::invalid_argument if
 /// the points are on a line, or if a distance differs by more than kPointTolerance.
-TurnAndMove motion_of(const std::array<cda::Vec3, 3>& before, const std::array<cda::Vec3, 3>& now);
+TurnAndMove motion_of(const std::array<Vec3, 3>& before, const std::array<Vec3, 3>& now);
 
 }  // namespace ncsim::setup

@@ -3,8 +3,8 @@
 // Statistics of feed moves and the estimate of a tool.
 #include "ncsim/setup/tool_clues.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/toolpath/kinematics.h"
-#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,10 +33,10 @@ void ToolClues::take(const gcode::Motion& motion, const toolpath::Poses& poses) 
     const gcode::Position* from = start_of(motion);
     const gcode::Position* to = end_of(motion);
     if (!from || !to) return;
-    const cda::Vec3 a = poses.place(*from);
-    const cda::Vec3 b = poses.place(*to);
-    const cda::Vec3 way = b - a;
-    const double aside = trig::length_of(way.x, way.y);
+    const Vec3 a = poses.place(*from);
+    const Vec3 b = poses.place(*to);
+    const Vec3 way = b - a;
+    const double aside = hypotenuse(way.x, way.y);
     ++moves_;
     if (aside == 0.0) {
         ++falling_;
@@ -49,7 +49,7 @@ void ToolClues::take(const gcode::Motion& motion, const toolpath::Poses& poses) 
     if (const auto* arc = std::get_if<gcode::Arc>(&motion.action)) {
         if (arc->tilted) return;
         const bool is_flat = arc->plane == gcode::Plane::XY && way.z == 0.0;
-        const double radius = trig::length_of(a.x - arc->centre_1.mm(), a.y - arc->centre_2.mm());
+        const double radius = hypotenuse(a.x - arc->centre_1.mm(), a.y - arc->centre_2.mm());
         constexpr double kCorner = 0.05;  // mm; tighter arcs are rounded corners of the path
         if (is_flat && radius > kCorner) smallest_arc_mm_ = std::min(smallest_arc_mm_, radius);
         return;
@@ -65,7 +65,7 @@ void ToolClues::take(const gcode::Motion& motion, const toolpath::Poses& poses) 
 // Returns the width of the area of the moves, mm; 0 without motion in the plane.
 double ToolClues::width_mm() const {
     if (tips_.is_empty()) return 0.0;
-    const cda::Vec3 size = tips_.size();
+    const Vec3 size = tips_.size();
     const double narrow = std::min(size.x, size.y);
     return narrow > 0.0 ? narrow : std::max(size.x, size.y);
 }
@@ -95,7 +95,7 @@ double ToolClues::hole_spacing_mm() const {
             const double x = 1e-3 * static_cast<double>(b->first - a->first);
             if (x >= least) break;
             const double y = 1e-3 * static_cast<double>(b->second - a->second);
-            least = std::min(least, trig::length_of(x, y));
+            least = std::min(least, hypotenuse(x, y));
         }
     }
     return least;

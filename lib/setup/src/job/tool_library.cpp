@@ -4,6 +4,7 @@
 // whose values they share.
 #include "ncsim/setup/tool_library.h"
 
+#include "ncsim/base/ascii.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/plain_text.h"
 
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cstddef>
 #include <filesystem>
@@ -35,12 +35,6 @@ namespace ncsim::setup {
 namespace {
 
 using Json = nlohmann::json;
-
-std::string lower(std::string text) {
-    for (char& c : text)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
 
 std::string text_of(const Json& json, const char* key) {
     const auto found = json.find(key);
@@ -98,7 +92,8 @@ std::string type_of_shape(const std::string& shape) {
 
 // Returns a tool bit as a tool of Fusion; null for a shape that is not read.
 Json tool_of_bit(const Json& bit, const Json& number) {
-    const std::string shape = lower(std::filesystem::path(text_of(bit, "shape")).stem().string());
+    const std::string shape =
+        lowercase(std::filesystem::path(text_of(bit, "shape")).stem().string());
     const std::string type = type_of_shape(shape);
     const auto parameters = bit.find("parameter");
     if (type.empty() || parameters == bit.end() || !parameters->is_object()) return nullptr;
@@ -290,7 +285,7 @@ std::string unpacked(const std::string& path, const std::string& bytes) {
     for (zip_int64_t i = 0; i < zip_get_num_entries(archive.get(), 0); ++i) {
         const auto index = static_cast<zip_uint64_t>(i);
         const char* const name = zip_get_name(archive.get(), index, 0);
-        if (!name || !lower(name).ends_with(".json")) continue;
+        if (!name || !lowercase(name).ends_with(".json")) continue;
         const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
             zip_fopen_index(archive.get(), index, 0), zip_fclose);
         if (!file) fail("its JSON file cannot be read");
@@ -331,12 +326,12 @@ bool is_freecad_library(const Json& json) {
 toolpath::ToolFile read_tool_library(const std::string& path, InputSet& inputs,
                                      bool machine_inches) {
     std::string bytes = inputs.read(path, kMostSetUpBytes);
-    const bool is_bit = lower(path).ends_with(".fctb");
+    const bool is_bit = lowercase(path).ends_with(".fctb");
     if (is_bit) {
         throw std::runtime_error(fmt::format(
             "{}: a tool bit of FreeCAD has no number; expected its library, .fctl", path));
     }
-    if (lower(path).ends_with(".fctl")) {
+    if (lowercase(path).ends_with(".fctl")) {
         const Json library = parsed(path, bytes);
         if (!is_freecad_library(library)) {
             throw std::runtime_error(

@@ -3,11 +3,11 @@
 // Signs of inches in tool comments, feeds and coordinates.
 #include "job/unit_clues.h"
 
+#include "ncsim/base/ascii.h"
 #include "ncsim/gcode/language.h"
 #include "ncsim/gcode/parser.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -15,10 +15,6 @@
 namespace ncsim::setup {
 
 namespace {
-
-bool is_digit(char c) {
-    return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
 
 // True if `text` has `unit` after a digit and at most a blank, as in 6MM and 6 mm.
 bool has_unit(std::string_view text, std::string_view unit) {
@@ -66,10 +62,7 @@ bool suggests_inches(const gcode::SourceFile& program,
     constexpr double kLargestDepth = 4.0;   // inches
     bool is_any_in_inches = false;
     for (const toolpath::ToolEntry& tool : tools_of_comments) {
-        std::string text = tool.text;
-        std::ranges::transform(text, text.begin(), [](char c) {
-            return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-        });
+        const std::string text = uppercase(tool.text);
         if (has_unit(text, "MM")) return false;
         is_any_in_inches |= is_in_inches(text);
     }

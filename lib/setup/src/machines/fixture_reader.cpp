@@ -21,14 +21,14 @@ namespace {
 /// A part of a vise or a clamp.
 struct NamedBox {
     std::string name;
-    cda::Box box;
+    Box box;
 };
 
 /// Box whose coordinates are: along a horizontal direction, across this direction, height.
-cda::Box box_along(int axis, cda::Vec3 at, cda::Vec3 low, cda::Vec3 high) {
-    cda::Box box;
-    for (const cda::Vec3& corner : {low, high}) {
-        cda::Vec3 p = at;
+Box box_along(int axis, Vec3 at, Vec3 low, Vec3 high) {
+    Box box;
+    for (const Vec3& corner : {low, high}) {
+        Vec3 p = at;
         p[axis] += corner.x;
         p[1 - axis] += corner.y;
         p.z += corner.z;
@@ -47,7 +47,7 @@ const toml::node& required(const TomlReader& r, const toml::table& t, const std:
 std::vector<NamedBox> read_vise(const TomlReader& r, const toml::node& node,
                                 const std::string& key) {
     const toml::table& t = TomlReader::table(node);
-    cda::Vec3 at;
+    Vec3 at;
     std::string along = "Y";
     double opening = 0.0, width = 0.0, height = 0.0, depth = 0.0, base = 0.0;
     std::optional<std::pair<double, double>> parallels;
@@ -91,11 +91,11 @@ std::vector<NamedBox> read_vise(const TomlReader& r, const toml::node& node,
 std::vector<NamedBox> read_clamp(const TomlReader& r, const toml::node& node,
                                  const std::string& key) {
     const toml::table& t = TomlReader::table(node);
-    cda::Vec3 at;
+    Vec3 at;
     std::string toward = "+X";
     double length = 0.0, width = 0.0, height = 0.0, heel = 0.0;
     std::optional<double> table;
-    std::optional<cda::Vec3> bolt;
+    std::optional<Vec3> bolt;
     TomlReader::each(t, key,
                      {{"at", into(at)},
                       {"toward", into(toward)},
@@ -172,7 +172,7 @@ void read_fixture(const TomlReader& r, const std::string& folder, InputSet& inpu
                            const toml::array& corners = TomlReader::list(n);
                            fixture.box.add(TomlReader::vector(corners[0]));
                            fixture.box.add(TomlReader::vector(corners[1]));
-                           const cda::Vec3 size = fixture.box.size();
+                           const Vec3 size = fixture.box.size();
                            if (size.x <= 0.0 || size.y <= 0.0 || size.z <= 0.0) {
                                r.fail(n, fmt::format("'{}': the box has no volume", k));
                            }
@@ -183,7 +183,7 @@ void read_fixture(const TomlReader& r, const std::string& folder, InputSet& inpu
         fixture.assumed = std::move(file->assumed);
         fixture.mesh_at = mesh.place();
         fixture.as_hull = mesh.as_hull();
-        for (const cda::Vec3& v : fixture.mesh.vertices)
+        for (const Vec3& v : fixture.mesh.vertices)
             fixture.box.add(v);
     }
     if (shapes == 0) r.fail(node, "a fixture needs a box or a mesh, a vise or a clamp");

@@ -20,7 +20,6 @@ namespace ncsim::setup {
 
 namespace {
 
-using cda::Vec3;
 using nlohmann::json;
 
 constexpr double kLargest = 1e6;
@@ -199,7 +198,7 @@ Axis axis_of(const std::string& name, const Node& node, double unit) {
     axis.is_placed = norm(origin) != 0.0;
     Vec3 own;
     if (!axis.turns) own[axis.letter - 'X'] = 1.0;
-    if (!axis.turns && norm(cda::normalized(direction) - own) > 1e-9)
+    if (!axis.turns && norm(normalized(direction) - own) > 1e-9)
         joint["axis"].fail("only an axis along its own letter is simulated");
     const bool by_part = axis.turns && axis.of_table;
     axis.joint = machine::joint_of(axis.letter, axis.turns, direction, axis.turns ? origin : Vec3{},

@@ -22,7 +22,6 @@ namespace ncsim::setup {
 
 namespace {
 
-using cda::Vec3;
 using tinyxml2::XMLElement;
 
 // A unit in terms of mm, degrees, revolutions per minute or seconds.
@@ -155,7 +154,7 @@ private:
         const Vec3 direction = vector(e, "axis", {}, own);
         constexpr double kNothing = 1e-6;
         if (norm(direction) < kNothing) fail(e, "'axis': it has no length");
-        if (!turns && norm(cda::normalized(direction) - own) > 1e-9)
+        if (!turns && norm(normalized(direction) - own) > 1e-9)
             fail(e, fmt::format("axis {}: only {} along itself is simulated", letter, letter));
         const Vec3 through = vector(e, "offset", kLengths, {});
         FusionAxis axis;

@@ -3,6 +3,7 @@
 // Reads presets, links and functions of the control in a machine file.
 #include "machines/kinematics_reader.h"
 
+#include "ncsim/base/number_text.h"
 #include "ncsim/machine/presets.h"
 
 #include "meshes/mesh_keys.h"
@@ -17,7 +18,6 @@ namespace ncsim::setup {
 
 namespace {
 
-using cda::Vec3;
 using gcode::Coordinates;
 
 constexpr std::size_t kMostLinks = 100;
@@ -50,13 +50,9 @@ gcode::RotaryWay way_of(const toml::node& node) {
 // Reads the number of "M428". Numbers below `first` have a fixed meaning on all controls.
 std::optional<int> m_code_named(std::string_view name, int first) {
     constexpr int kLast = 9999;
-    int number = 0;
-    const char* end = name.data() + name.size();
     if (name.size() < 2 || name[0] != 'M') return std::nullopt;
-    const auto read = std::from_chars(name.data() + 1, end, number);
-    const bool is_one =
-        read.ec == std::errc() && read.ptr == end && number >= first && number <= kLast;
-    return is_one ? std::optional(number) : std::nullopt;
+    const auto number = number_in<int>(name.substr(1));
+    return number && *number >= first && *number <= kLast ? number : std::nullopt;
 }
 
 // Reads "#c08040".
@@ -168,11 +164,8 @@ void KinematicsReader::take_table_offsets(const toml::node& node, const std::str
     for (const auto& [name, value] : TomlReader::table(node)) {
         const std::string whole = fmt::format("{}.{}", key, name.str());
         const std::string_view text = name.str();
-        int number = 0;
-        const char* end = text.data() + text.size();
-        const auto read = std::from_chars(text.data() + !text.empty(), end, number);
-        if (!text.starts_with('P') || read.ec != std::errc() || read.ptr != end || number < 1 ||
-            number > kMost) {
+        const auto number = text.starts_with('P') ? number_in<int>(text.substr(1)) : std::nullopt;
+        if (!number || *number < 1 || *number > kMost) {
             r_.fail(value, fmt::format("'{}': expected P1 to P{}", whole, kMost));
         }
         std::optional<Vec3> offset;
@@ -187,7 +180,7 @@ void KinematicsReader::take_table_offsets(const toml::node& node, const std::str
                                        "the table, at = {{ B = 0 }}",
                                        whole));
         }
-        offsets.by_number[number] = {
+        offsets.by_number[*number] = {
             {offset->x, offset->y, offset->z}, *at, {turns.x, turns.y, turns.z}};
     }
 }

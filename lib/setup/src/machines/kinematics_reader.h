@@ -64,7 +64,7 @@ private:
         std::string name, parent;
         std::optional<machine::Joint> joint;
         bool is_placed = false;
-        std::optional<cda::TriangleMesh> mesh;
+        std::optional<TriangleMesh> mesh;
         std::optional<std::array<std::uint8_t, 3>> colour;
         double clearance_mm = 0.0;
         double deflection_mm = 0.0;  // deflection of the mesh
@@ -92,7 +92,7 @@ private:
     InputSet& inputs_;
     std::optional<Name> preset_, part_, tool_;
     const toml::node* pivots_node_ = nullptr;
-    std::map<char, cda::Vec3> pivots_;
+    std::map<char, Vec3> pivots_;
     std::vector<Link> links_;
     const toml::node* control_node_ = nullptr;
     gcode::TipControl control_;

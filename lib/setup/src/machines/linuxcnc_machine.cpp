@@ -3,13 +3,13 @@
 // Configurations of LinuxCNC: INI file, HAL files, and subroutines of REMAPs.
 #include "machines/linuxcnc_machine.h"
 
+#include "ncsim/base/ascii.h"
+#include "ncsim/base/number_text.h"
 #include "ncsim/machine/presets.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -21,7 +21,6 @@ namespace ncsim::setup {
 
 namespace {
 
-using cda::Vec3;
 using gcode::Coordinates;
 using machine::joint_of;
 using machine::Positive;
@@ -41,13 +40,6 @@ struct Entry {
     throw std::runtime_error(fmt::format("{}:{}: {}", at.file, at.line, what));
 }
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kBlank = " \t\r";
-    const std::size_t first = text.find_first_not_of(kBlank);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
-
 std::vector<std::string> words_of(std::string_view text) {
     std::vector<std::string> words;
     for (text = trimmed(text); !text.empty();) {
@@ -59,13 +51,10 @@ std::vector<std::string> words_of(std::string_view text) {
 }
 
 std::optional<double> number_of(std::string_view text) {
-    double value = 0.0;
     if (text.starts_with('+')) text.remove_prefix(1);
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto value = number_in<double>(text);
     constexpr double kLargestValue = 1e9;
-    if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
-    if (!(std::abs(value) <= kLargestValue)) return std::nullopt;
-    return value;
+    return value && std::abs(*value) <= kLargestValue ? value : std::nullopt;
 }
 
 std::vector<Entry> entries_of(const std::string& name, const std::string& text) {
@@ -272,8 +261,7 @@ std::optional<machine::Chain> chain_of(const Configuration& c, const Entry& kine
 std::optional<std::size_t> choice_in(const std::string& text) {
     std::string dense;
     for (const char c : text) {
-        if (c != ' ' && c != '\t')
-            dense += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        if (!is_blank(c)) dense += lower(c);
     }
     for (const std::string_view words : {"#<kinstype>=", "g12.1p", "m68e3q"}) {
         const std::size_t at = dense.find(words);

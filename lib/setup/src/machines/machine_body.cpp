@@ -5,18 +5,18 @@
 
 namespace ncsim::setup {
 
-std::vector<cda::Vec3> corners_at(const MachineBody& body, const machine::Values& values) {
-    std::vector<cda::Vec3> corners = body.mesh.vertices;
+std::vector<Vec3> corners_at(const MachineBody& body, const machine::Values& values) {
+    std::vector<Vec3> corners = body.mesh.vertices;
     const auto& joints = body.moved_by.joints;
     for (auto joint = joints.rbegin(); joint != joints.rend(); ++joint) {
         const double value = values[*machine::index_of(joint->letter)];
-        for (cda::Vec3& p : corners)
+        for (Vec3& p : corners)
             p = machine::move_by_joint(*joint, value, p);
     }
     return corners;
 }
 
-cda::Vec3 on_part(const machine::Chain& moved_by, const machine::Values& values, cda::Vec3 p_M) {
+Vec3 on_part(const machine::Chain& moved_by, const machine::Values& values, Vec3 p_M) {
     for (const machine::Joint& joint : moved_by.joints)
         p_M = machine::move_by_joint(joint, -values[*machine::index_of(joint.letter)], p_M);
     return p_M;

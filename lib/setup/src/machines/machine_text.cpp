@@ -22,7 +22,7 @@ namespace {
 using gcode::Coordinates;
 using gcode::RotaryWay;
 
-std::string vector(cda::Vec3 v) {
+std::string vector(Vec3 v) {
     return fmt::format("[{}, {}, {}]", v.x + 0.0, v.y + 0.0, v.z + 0.0);
 }
 
@@ -195,7 +195,7 @@ std::string machine_sheet(const MachineFile& file) {
                 continue;
             }
             // The axis as seen from the bed.
-            const cda::Vec3 about = carries_part ? -joint.direction : joint.direction;
+            const Vec3 about = carries_part ? -joint.direction : joint.direction;
             text +=
                 fmt::format("turns the {} about {}", carries_part ? "part" : "tool", vector(about));
             const bool is_unspecified =

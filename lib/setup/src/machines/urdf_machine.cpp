@@ -6,9 +6,9 @@
 // 3. The links are converted to the frame of the spindle nose.
 #include "machines/urdf_machine.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/machine/relative.h"
 #include "ncsim/setup/mesh_file.h"
-#include "ncsim/trig/angles.h"
 
 #include "machines/xml_root.h"
 
@@ -32,7 +32,6 @@ namespace ncsim::setup {
 
 namespace {
 
-using cda::Vec3;
 using machine::Pose;
 using tinyxml2::XMLElement;
 
@@ -46,7 +45,7 @@ Pose turned_by(Vec3 roll_pitch_yaw) {
         machine::Joint joint;
         joint.turns = true;
         joint.direction[axis] = 1.0;
-        X = X * pose_of(joint, roll_pitch_yaw[axis] / trig::kRadiansPerDegree);
+        X = X * pose_of(joint, roll_pitch_yaw[axis] / kRadiansPerDegree);
     }
     return X;
 }
@@ -54,7 +53,7 @@ Pose turned_by(Vec3 roll_pitch_yaw) {
 struct UrdfLink {
     const XMLElement* at = nullptr;
     std::string name;
-    cda::TriangleMesh mesh;  // in its own frame, mm
+    TriangleMesh mesh;  // in its own frame, mm
     double deflection_mm = 0.0;
     std::string assumed;
     const XMLElement* mesh_at = nullptr;     // the last mesh
@@ -177,7 +176,7 @@ private:
         const XMLElement* shape = geometry ? geometry->FirstChildElement() : nullptr;
         if (!shape) fail(body, fmt::format("<{}> needs a <geometry>", body->Name()));
         const std::string_view kind = shape->Name();
-        cda::TriangleMesh mesh;
+        TriangleMesh mesh;
         if (kind == "box") {
             const Vec3 size = kMillimetres * vector(shape, "size", {});
             if (!(size.x > 0.0 && size.y > 0.0 && size.z > 0.0))
@@ -197,8 +196,8 @@ private:
             link.mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
     }
 
-    static cda::TriangleMesh box(Vec3 size) {
-        cda::TriangleMesh mesh;
+    static TriangleMesh box(Vec3 size) {
+        TriangleMesh mesh;
         for (int i = 0; i < 8; ++i) {
             mesh.vertices.push_back({(i & 1 ? 0.5 : -0.5) * size.x, (i & 2 ? 0.5 : -0.5) * size.y,
                                      (i & 4 ? 0.5 : -0.5) * size.z});
@@ -226,7 +225,7 @@ private:
         return seen_in(folder_, "../" + std::string(specified));
     }
 
-    cda::TriangleMesh mesh_of(const XMLElement* e, UrdfLink& link) {
+    TriangleMesh mesh_of(const XMLElement* e, UrdfLink& link) {
         const std::string path = path_of(e, text(e, "filename"));
         SurfaceFile file;
         try {
@@ -308,7 +307,7 @@ private:
         constexpr double kNothing = 1e-6;
         if (norm(direction) < kNothing) fail(axis, "'xyz': it has no length");
         link.joint = machine::joint_of(*letter, turns, direction);
-        const double unit = turns ? 1.0 / trig::kRadiansPerDegree : kMillimetres;
+        const double unit = turns ? 1.0 / kRadiansPerDegree : kMillimetres;
         const XMLElement* limit = e->FirstChildElement("limit");
         const auto low = number(limit, "lower"), high = number(limit, "upper");
         if (type != "continuous" && low && high) {

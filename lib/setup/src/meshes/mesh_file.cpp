@@ -32,8 +32,6 @@ namespace ncsim::setup {
 
 namespace {
 
-using cda::Vec3;
-
 constexpr std::size_t kHead = 84, kRecord = 50;
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
@@ -268,7 +266,7 @@ std::vector<Vec3> read_gltf(std::string_view bytes) {
 
 // Returns the number of edges that occur in one direction more often than in the opposite
 // direction.
-std::size_t open_edges(const cda::TriangleMesh& mesh) {
+std::size_t open_edges(const TriangleMesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
     for (const auto& t : mesh.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -280,8 +278,8 @@ std::size_t open_edges(const cda::TriangleMesh& mesh) {
         std::ranges::count_if(balance, [](const auto& edge) { return edge.second != 0; }));
 }
 
-cda::TriangleMesh weld(const std::vector<Vec3>& corners) {
-    cda::TriangleMesh mesh;
+TriangleMesh weld(const std::vector<Vec3>& corners) {
+    TriangleMesh mesh;
     std::map<std::tuple<double, double, double>, std::uint32_t> known;
     std::array<std::uint32_t, 3> triangle{};
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -339,7 +337,7 @@ SurfaceFile read_surface_file(const std::string& path, InputSet& inputs) {
             file.has_unit = is_gltf(bytes);
         }
         file.assumed = assumptions_in(bytes);
-        const cda::TriangleMesh& mesh = file.mesh;
+        const TriangleMesh& mesh = file.mesh;
         if (mesh.triangles.empty()) throw Refused{"it has no triangles"};
         if (const std::size_t open = open_edges(mesh); open > 0) {
             throw Refused{

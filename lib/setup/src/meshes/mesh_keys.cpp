@@ -43,12 +43,12 @@ std::optional<SurfaceFile> MeshKeys::finish() {
     }
     if (scale_ && file_.has_unit)
         r_.fail(*scale_at_, "'scale': the file states the unit of its lengths");
-    cda::Box box;
-    for (cda::Vec3& p : file_.mesh.vertices) {
+    Box box;
+    for (Vec3& p : file_.mesh.vertices) {
         p = scale_.value_or(1.0) * p;
         box.add(p);
     }
-    const cda::Vec3 size = box.size();
+    const Vec3 size = box.size();
     const double longest = std::max({size.x, size.y, size.z});
     constexpr double kShortestMesh = 5.0, kLongestMesh = 1e6;  // mm
     if (!scale_ && !file_.has_unit && longest < kShortestMesh) {

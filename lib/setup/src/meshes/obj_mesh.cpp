@@ -3,13 +3,14 @@
 // Reads OBJ files.
 #include "meshes/obj_mesh.h"
 
+#include "ncsim/base/number_text.h"
+
 #include "meshes/polygons.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -41,12 +42,9 @@ std::string_view next_line(std::string_view& text) {
 }
 
 template <class Number>
-std::optional<Number> number_in(std::string_view word) {
+std::optional<Number> signed_number(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
-    Number number{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-    return number;
+    return number_in<Number>(word);
 }
 
 }  // namespace
@@ -62,7 +60,7 @@ bool is_obj(std::string_view bytes) {
     return false;
 }
 
-std::vector<cda::Vec3> read_obj(std::string_view bytes) {
+std::vector<Vec3> read_obj(std::string_view bytes) {
     Polygons polygons;
     std::size_t number = 0;
     const auto refuse = [&number](const char* what) {
@@ -73,9 +71,9 @@ std::vector<cda::Vec3> read_obj(std::string_view bytes) {
         std::string_view line = next_line(bytes);
         const std::string_view key = next_word(line);
         if (key == "v") {
-            cda::Vec3 p;
+            Vec3 p;
             for (int axis = 0; axis < 3; ++axis) {
-                const auto value = number_in<double>(next_word(line));
+                const auto value = signed_number<double>(next_word(line));
                 if (!value) refuse("a point has three numbers");
                 p[axis] = *value;
             }
@@ -83,7 +81,7 @@ std::vector<cda::Vec3> read_obj(std::string_view bytes) {
         } else if (key == "f") {
             std::vector<std::uint32_t> face;
             for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
-                const auto specified = number_in<std::int64_t>(word.substr(0, word.find('/')));
+                const auto specified = signed_number<std::int64_t>(word.substr(0, word.find('/')));
                 const auto count = static_cast<std::int64_t>(polygons.points.size());
                 // Numbers count from 1, or backwards from the last point, which is -1.
                 if (!specified || *specified == 0 || *specified > count || *specified < -count)

@@ -4,7 +4,7 @@
 // surfaces, which are refused. Source: Appendix B1 of the Advanced Visualizer manual, 1995.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <string_view>
 #include <vector>
@@ -14,6 +14,6 @@ namespace ncsim::setup {
 /// True if the text begins with a word of this format.
 bool is_obj(std::string_view bytes);
 /// Returns three corners per triangle, in the units of the file. Throws: Refused, with the line.
-std::vector<cda::Vec3> read_obj(std::string_view bytes);
+std::vector<Vec3> read_obj(std::string_view bytes);
 
 }  // namespace ncsim::setup

@@ -3,8 +3,9 @@
 // Division of polygons into triangles.
 #include "meshes/polygons.h"
 
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangulate.h"
 
 #include <cmath>
 #include <cstddef>
@@ -12,8 +13,6 @@
 namespace ncsim::setup {
 
 namespace {
-
-using cda::Vec3;
 
 // Returns Newell's normal, whose length is twice the area.
 Vec3 normal_of(const std::vector<Vec3>& points, const std::vector<std::uint32_t>& face) {
@@ -56,7 +55,7 @@ std::vector<Vec3> corners_of(const Polygons& polygons) {
         surface.faces.push_back(std::move(flat));
     }
     if (surface.faces.empty()) return corners;
-    const cda::TriangleMesh mesh = cda::triangulate(surface);
+    const TriangleMesh mesh = cda::triangulate(surface);
     for (const auto& triangle : mesh.triangles) {
         for (const std::uint32_t corner : triangle)
             corners.push_back(mesh.vertices[corner]);

@@ -3,7 +3,7 @@
 // Polygons of mesh files, and their division into triangles.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <cstdint>
 #include <string>
@@ -18,7 +18,7 @@ struct Refused {
 
 /// Faces of a mesh file.
 struct Polygons {
-    std::vector<cda::Vec3> points;
+    std::vector<Vec3> points;
     /// Point indices of each face, counter-clockwise seen from outside.
     std::vector<std::vector<std::uint32_t>> faces;
 };
@@ -26,6 +26,6 @@ struct Polygons {
 /// Returns three corners per triangle. Faces need not be convex; faces with fewer than three
 /// corners, or without area, are left out. Throws: Refused if a point is too far out, or a face has
 /// an invalid index.
-std::vector<cda::Vec3> corners_of(const Polygons& polygons);
+std::vector<Vec3> corners_of(const Polygons& polygons);
 
 }  // namespace ncsim::setup

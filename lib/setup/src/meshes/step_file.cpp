@@ -30,8 +30,6 @@ namespace ncsim::setup {
 
 namespace {
 
-using cda::Vec3;
-
 // Limits for ncsim-step: more than any part needs, and bearable on a shared computer.
 constexpr rlim_t kMostSeconds = 600, kMostBytes = rlim_t{8'000'000'000};
 

@@ -4,7 +4,7 @@
 // no further part needs, and a crash of OpenCASCADE becomes a message.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 
 #include <string>
 #include <string_view>
@@ -14,7 +14,7 @@ namespace ncsim::setup {
 
 /// Triangles of a STEP file.
 struct StepSurface {
-    cda::TriangleMesh mesh;               ///< mm; `face` counts the faces of all solids.
+    TriangleMesh mesh;                    ///< mm; `face` counts the faces of all solids.
     std::vector<std::string> face_names;  ///< Empty for faces without a name.
 };
 

@@ -3,17 +3,18 @@
 // Stock from surfaces and from .ncstock files.
 #include "ncsim/setup/stock_file.h"
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/angles.h"
+#include "ncsim/base/ascii.h"
+#include "ncsim/base/number_text.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/cda/triangulate.h"
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/setup/mesh_file.h"
-#include "ncsim/trig/angles.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -29,10 +30,7 @@ namespace ncsim::setup {
 namespace {
 
 bool ends_with(const std::string& text, std::string_view end) {
-    if (text.size() <= end.size()) return false;
-    return std::equal(
-        end.begin(), end.end(), text.end() - static_cast<std::ptrdiff_t>(end.size()),
-        [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+    return text.size() > end.size() && lowercase(text).ends_with(end);
 }
 
 bool is_saved(const toolpath::StockFile& file, InputSet& inputs) {
@@ -41,10 +39,10 @@ bool is_saved(const toolpath::StockFile& file, InputSet& inputs) {
 }
 
 // Turns and moves a closed surface. The result is on the finest lattice that contains it.
-cda::Shape turned(cda::TriangleMesh& mesh, const Turn& turn, cda::Vec3 move) {
-    cda::Box box;
-    for (cda::Vec3& p : mesh.vertices) {
-        cda::Vec3 q = move;
+cda::Shape turned(TriangleMesh& mesh, const Turn& turn, Vec3 move) {
+    Box box;
+    for (Vec3& p : mesh.vertices) {
+        Vec3 q = move;
         for (int i = 0; i < 3; ++i) {
             for (int k = 0; k < 3; ++k)
                 q[i] += turn.rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] * p[k];
@@ -75,7 +73,7 @@ cda::Shape read_saved(const toolpath::StockFile& file, const Turn& turn, const s
         return cda::placed(shape, placement);
     }
     // The turned surface is cut into other cells, so their origins are unknown.
-    cda::TriangleMesh mesh =
+    TriangleMesh mesh =
         cda::triangulate(cda::create(cda::TreeCda(cda::TreeParameters{}), shape)->boundary());
     cda::Shape result = turned(mesh, turn, file.move);
     result.assumed = std::move(shape.assumed);
@@ -126,12 +124,9 @@ std::optional<std::vector<AxisTurn>> turns_of(std::string_view text) {
         const std::size_t axis =
             turn.size() < 2 ? std::string_view::npos : std::string_view("XYZxyz").find(turn[0]);
         if (axis == std::string_view::npos) return std::nullopt;
-        AxisTurn one{static_cast<int>(axis % 3), 0.0};
-        const char* const last = turn.data() + turn.size();
-        const auto read = std::from_chars(turn.data() + 1, last, one.degrees);
-        if (read.ec != std::errc{} || read.ptr != last || !(std::abs(one.degrees) <= kMost))
-            return std::nullopt;
-        turns.push_back(one);
+        const auto degrees = number_in<double>(turn.substr(1));
+        if (!degrees || !(std::abs(*degrees) <= kMost)) return std::nullopt;
+        turns.push_back({static_cast<int>(axis % 3), *degrees});
         begin = end + 1;
     }
     return turns;
@@ -174,7 +169,7 @@ Turn parse_any_turn(const std::string& text) {
     }
     all.placement.reset();
     for (const AxisTurn& turn : *turns) {
-        const trig::SinCos angle = trig::sin_cos(turn.degrees);
+        const SinCos angle = sin_cos(turn.degrees);
         const auto a = static_cast<std::size_t>((turn.axis + 1) % 3);
         const auto b = static_cast<std::size_t>((turn.axis + 2) % 3);
         for (std::size_t k = 0; k < 3; ++k) {

@@ -5,7 +5,8 @@
 // the size of the result.
 #include "meshes/vrml_mesh.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
+#include "ncsim/base/number_text.h"
 
 #include "meshes/polygons.h"
 
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -26,8 +26,6 @@
 namespace ncsim::setup {
 
 namespace {
-
-using cda::Vec3;
 
 constexpr int kDeepestNode = 64;
 constexpr std::size_t kMostCorners = 30'000'000, kMostVisits = 100'000;
@@ -64,7 +62,7 @@ Affine turn_about(Vec3 axis, double radians) {
     const double length = norm(axis);
     if (!(length > 0.0)) return result;
     const Vec3 u = (1.0 / length) * axis;
-    const trig::SinCos q = trig::sin_cos(radians / trig::kRadiansPerDegree);
+    const SinCos q = sin_cos(radians / kRadiansPerDegree);
     const double k = 1.0 - q.cos;
     const Vec3 w = q.sin * u;
     result.rows = {Vec3{q.cos + k * u.x * u.x, k * u.x * u.y - w.z, k * u.x * u.z + w.y},
@@ -209,10 +207,9 @@ private:
     Number number() {
         std::string_view word = some_word();
         if (word.starts_with('+')) word.remove_prefix(1);
-        Number value{};
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (error != std::errc{} || end != word.data() + word.size()) refuse("expected a number");
-        return value;
+        const auto value = number_in<Number>(word);
+        if (!value) refuse("expected a number");
+        return *value;
     }
 
     Vec3 vector() {

@@ -4,7 +4,7 @@
 // are refused, because a shape that is left out would never collide. Source: ISO/IEC 14772-1:1997.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <string_view>
 #include <vector>
@@ -14,6 +14,6 @@ namespace ncsim::setup {
 /// True if the text begins as a VRML file does.
 bool is_vrml(std::string_view bytes);
 /// Returns three corners per triangle, in the units of the file. Throws: Refused, with the line.
-std::vector<cda::Vec3> read_vrml(std::string_view bytes);
+std::vector<Vec3> read_vrml(std::string_view bytes);
 
 }  // namespace ncsim::setup

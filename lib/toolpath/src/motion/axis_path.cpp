@@ -3,7 +3,7 @@
 // Arcs in polar coordinates, shifts by U, V and W, and B-splines.
 #include "motion/axis_path.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,11 +61,11 @@ PolarArc polar(const gcode::Arc& specified) {
     const double y1 = (arc.to.*axes.second).mm() - p.centre_2;
     p.start_radius = std::sqrt(x0 * x0 + y0 * y0);
     p.end_radius = std::sqrt(x1 * x1 + y1 * y1);
-    p.start_degrees = trig::angle_of(x0, y0);
+    p.start_degrees = angle_of(x0, y0);
     // Equal ends are a full circle. Angles that differ by less than this are equal except for
     // rounding.
     constexpr double kNoAngle = 1e-10;
-    double sweep = trig::angle_of(x1, y1) - p.start_degrees;
+    double sweep = angle_of(x1, y1) - p.start_degrees;
     if (arc.turns >= 0) {
         while (sweep <= kNoAngle)
             sweep += 360.0;
@@ -86,7 +86,7 @@ Position arc_position(const gcode::Arc& arc, const PolarArc& p, double t) {
     if (t <= 0.0 || t >= 1.0) return at;
     const ArcAxes axes = axes_of(arc.plane);
     const double radius = lerp(p.start_radius, p.end_radius, t);
-    const trig::SinCos angle = trig::sin_cos(p.start_degrees + t * p.sweep_degrees);
+    const SinCos angle = sin_cos(p.start_degrees + t * p.sweep_degrees);
     at.*axes.first = Length::from_mm(p.centre_1 + radius * angle.cos);
     at.*axes.second = Length::from_mm(p.centre_2 + radius * angle.sin);
     return at;
@@ -114,7 +114,7 @@ SecondAxes second_axes(const machine::Chain& chain, const gcode::Motion& motion)
     const PolarArc p = polar(*arc);
     const double radius = std::max(p.start_radius, p.end_radius);
     second.reach_mm += 4.0 * radius;
-    second.way_mm += 2.0 * (radius * trig::kRadiansPerDegree * std::abs(p.sweep_degrees) +
+    second.way_mm += 2.0 * (radius * kRadiansPerDegree * std::abs(p.sweep_degrees) +
                             std::abs(p.end_radius - p.start_radius));
     return second;
 }

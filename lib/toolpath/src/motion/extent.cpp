@@ -4,9 +4,9 @@
 // sampled joints.
 #include "ncsim/toolpath/extent.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/machine/inverse.h"
 #include "ncsim/toolpath/kinematics.h"
-#include "ncsim/trig/angles.h"
 
 #include "motion/axis_path.h"
 
@@ -29,9 +29,9 @@ double spiral_lead(double radius, double growth) {
     const double x = radius / std::abs(growth);
     const double least = x + std::numbers::pi / 2;
     if (growth == 0.0 || !(least > 0.0)) return 0.0;
-    double d = trig::angle_of(least, 1.0) / kRadian;
+    double d = angle_of(least, 1.0) / kRadian;
     for (int i = 0; i < 8 && d > 0.0; ++i) {
-        const trig::SinCos at = trig::sin_cos(d * kRadian);
+        const SinCos at = sin_cos(d * kRadian);
         d += (at.cos * at.sin - (x + d) * at.sin * at.sin) / (1.0 + at.sin * at.sin);
     }
     return std::copysign(d * kRadian, growth);
@@ -39,7 +39,7 @@ double spiral_lead(double radius, double growth) {
 
 // Adds the points of an arc at which a coordinate is farthest out: at right angles to the
 // coordinate's axis, on a spiral close to there.
-void add_extremes(cda::Box& box, const gcode::Arc& arc, const PolarArc& p) {
+void add_extremes(Box& box, const gcode::Arc& arc, const PolarArc& p) {
     const double low = std::min(p.start_degrees, p.start_degrees + p.sweep_degrees);
     const double high = std::max(p.start_degrees, p.start_degrees + p.sweep_degrees);
     const double growth = (p.end_radius - p.start_radius) / p.sweep_degrees;  // mm a degree
@@ -58,7 +58,7 @@ void add_extremes(cda::Box& box, const gcode::Arc& arc, const PolarArc& p) {
 
 // Adds balls about the centre of an arc in a tilted plane, at its start and its end; the balls
 // contain the arc.
-void add_balls(cda::Box& box, const gcode::Arc& arc) {
+void add_balls(Box& box, const gcode::Arc& arc) {
     const gcode::Arc own = gcode::in_own_frame(arc);
     const PolarArc p = polar(own);
     const double radius = std::max(p.start_radius, p.end_radius);
@@ -66,8 +66,8 @@ void add_balls(cda::Box& box, const gcode::Arc& arc) {
         const gcode::Arc circle{end, end, own.plane, own.centre_1, own.centre_2, 1, {}};
         const Position middle =
             arc_position(circle, {p.centre_1, p.centre_2, 0.0, 0.0, 0.0, 0.0}, 0.5);
-        const cda::Vec3 at = linear_axes(gcode::to_parent(*arc.tilted, middle));
-        const cda::Vec3 reach{radius, radius, radius};
+        const Vec3 at = linear_axes(gcode::to_parent(*arc.tilted, middle));
+        const Vec3 reach{radius, radius, radius};
         box.add(at - reach);
         box.add(at + reach);
     }
@@ -75,8 +75,8 @@ void add_balls(cda::Box& box, const gcode::Arc& arc) {
 
 }  // namespace
 
-cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine) {
-    cda::Box box;
+Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine) {
+    Box box;
     const Position* from = start_of(motion);
     const Position* to = end_of(motion);
     if (!from || !to) return box;
@@ -99,15 +99,15 @@ cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine
         }
         const auto values = machine::values_for(*poses.chain(), poses.at(at).translation, now);
         if (!values) return {};
-        box.add(cda::Vec3{(*values)[0], (*values)[1], (*values)[2]});
+        box.add(Vec3{(*values)[0], (*values)[1], (*values)[2]});
     }
     return box;
 }
 
 namespace {
 
-cda::Box extent_of_axes(const gcode::Motion& motion) {
-    cda::Box box;
+Box extent_of_axes(const gcode::Motion& motion) {
+    Box box;
     const Position* from = start_of(motion);
     const Position* to = end_of(motion);
     box.add(linear_axes(*from));
@@ -145,7 +145,7 @@ gcode::Motion remove_second_axes(const gcode::Motion& motion) {
 
 }  // namespace
 
-cda::Box extent_of_path(const gcode::Motion& motion, const Poses& poses) {
+Box extent_of_path(const gcode::Motion& motion, const Poses& poses) {
     const Position* from = start_of(motion);
     const Position* to = end_of(motion);
     if (!from || !to) return {};
@@ -154,13 +154,13 @@ cda::Box extent_of_path(const gcode::Motion& motion, const Poses& poses) {
     if (reach == 0.0) return extent_of_axes(motion);
     const bool turns = from->a != to->a || from->b != to->b || from->c != to->c;
     if (std::holds_alternative<gcode::Linear>(motion.action) && !turns) {
-        cda::Box box;
+        Box box;
         box.add(poses.place(*from));
         box.add(poses.place(*to));
         return box;
     }
-    cda::Box box = extent_of_axes(remove_second_axes(motion));
-    const cda::Vec3 margin{reach, reach, reach};
+    Box box = extent_of_axes(remove_second_axes(motion));
+    const Vec3 margin{reach, reach, reach};
     return {box.min - margin, box.max + margin};
 }
 

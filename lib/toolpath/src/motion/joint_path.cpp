@@ -3,8 +3,8 @@
 // Joint positions and speeds along straight moves and arcs, and division of motions into these.
 #include "ncsim/toolpath/joint_path.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/machine/inverse.h"
-#include "ncsim/trig/angles.h"
 
 #include "motion/axis_path.h"
 
@@ -14,7 +14,6 @@
 
 namespace ncsim::toolpath {
 
-using cda::Vec3;
 using gcode::Position;
 using machine::Ball;
 using machine::Chain;
@@ -69,7 +68,7 @@ JointPath::JointPath(const Kinematics& machine, const gcode::Motion& motion) {
     c.arc = std::get_if<gcode::Arc>(&motion.action);
     if (c.arc) {
         c.polar = polar(*c.arc);
-        const double sweep = trig::kRadiansPerDegree * std::abs(c.polar.sweep_degrees);
+        const double sweep = kRadiansPerDegree * std::abs(c.polar.sweep_degrees);
         const double radius = std::max(c.polar.start_radius, c.polar.end_radius);
         const double change = std::abs(c.polar.end_radius - c.polar.start_radius);
         const gcode::Arc own = gcode::in_own_frame(*c.arc);
@@ -82,7 +81,7 @@ JointPath::JointPath(const Kinematics& machine, const gcode::Motion& motion) {
         // The shift of the tip by U, V and W rotates with the axes.
         const SecondAxes second = second_axes(chain, motion);
         const auto turn = [](gcode::Angle a, gcode::Angle b) {
-            return trig::kRadiansPerDegree * std::abs((b - a).degrees());
+            return kRadiansPerDegree * std::abs((b - a).degrees());
         };
         const double turns =
             turn(c.from.a, c.to.a) + turn(c.from.b, c.to.b) + turn(c.from.c, c.to.c);

@@ -7,7 +7,6 @@
 
 namespace ncsim::toolpath {
 
-using cda::Vec3;
 using gcode::Position;
 
 Vec3 linear_axes(const Position& p) {

@@ -9,8 +9,6 @@
 
 namespace ncsim::toolpath {
 
-using cda::Vec3;
-
 namespace {
 
 constexpr double kMargin = 1.0;   // mm

@@ -4,9 +4,9 @@
 // of the default machine and of specified machines.
 #include "ncsim/toolpath/sampler.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/toolpath/extent.h"
 #include "ncsim/toolpath/kinematics.h"
-#include "ncsim/trig/angles.h"
 
 #include "motion/axis_path.h"
 
@@ -17,14 +17,11 @@
 
 namespace ncsim::toolpath {
 
-using cda::Vec3;
 using gcode::Angle;
 using gcode::Length;
 using gcode::Position;
 
 namespace {
-
-using trig::kRadiansPerDegree;
 
 // --- Steps --------------------------------------------------------------------------------
 
@@ -190,8 +187,8 @@ struct Cosines {
 Cosines cosines(Angle a, Angle b) {
     const double low = std::min(a.degrees(), b.degrees());
     const double high = std::max(a.degrees(), b.degrees());
-    const double at_low = std::abs(trig::sin_cos(low).cos);
-    const double at_high = std::abs(trig::sin_cos(high).cos);
+    const double at_low = std::abs(sin_cos(low).cos);
+    const double at_high = std::abs(sin_cos(high).cos);
     const auto passes = [&](double degrees) {  // or `degrees` plus a multiple of 180
         return std::floor((high - degrees) / 180.0) >= std::ceil((low - degrees) / 180.0);
     };
@@ -221,7 +218,7 @@ double distance_from(const std::optional<Vec3>& axis, Vec3 p) {
 // `tilt_rad`, and its tip by at most `way_mm`. At height z, a disc across the axis a extends along
 // X from T + z a - r to T + z a + r, with r² = radius² (1 - a²).
 double highest_point_near(const Pose& X_WT, double tilt_rad, double way_mm, double radius_mm,
-                          const cda::Box& place) {
+                          const Box& place) {
     double highest = RotationBounds::kInf;
     const Vec3 axis = axis_of(X_WT);
     for (int i = 0; i < 3; ++i) {
@@ -240,12 +237,12 @@ double highest_point_near(const Pose& X_WT, double tilt_rad, double way_mm, doub
 // Returns the same bound for a whole motion. `tilt_rad` and `way_mm` are the lengths of the paths
 // of axis and tip; at any time, the nearer end of the motion is at most half of these away.
 double highest_point_near(const Pose& start, const Pose& end, double tilt_rad, double way_mm,
-                          double radius_mm, const cda::Box& place) {
+                          double radius_mm, const Box& place) {
     return std::max(highest_point_near(start, tilt_rad / 2, way_mm / 2, radius_mm, place),
                     highest_point_near(end, tilt_rad / 2, way_mm / 2, radius_mm, place));
 }
 
-std::array<Vec3, 8> corners_of(const cda::Box& box) {
+std::array<Vec3, 8> corners_of(const Box& box) {
     std::array<Vec3, 8> corners;
     for (std::size_t i = 0; i < corners.size(); ++i)
         corners[i] = {i & 1 ? box.min.x : box.max.x, i & 2 ? box.min.y : box.max.y,
@@ -260,7 +257,7 @@ std::array<Vec3, 8> corners_of(const cda::Box& box) {
 template <class Lowest>
 RotationBounds rotation_bounds_of(const Position& from, const Position& to, const Lowest& lowest_mm,
                                   double bulge_mm, double way_mm, double radius_mm,
-                                  const std::optional<cda::Box>& place) {
+                                  const std::optional<Box>& place) {
     RotationBounds t;
     t.moved_mm = way_mm;
     const auto radians = [](Angle a, Angle b) {
@@ -334,7 +331,7 @@ double distance_from_line(Vec3 p, Vec3 through, Vec3 direction) {
 // to bodies that do not rotate.
 RotationBounds rotation_bounds_of(const Poses& poses, const gcode::Motion& motion, double bulge_mm,
                                   double way_mm, double radius_mm,
-                                  const std::optional<cda::Box>& place) {
+                                  const std::optional<Box>& place) {
     const machine::Chain& chain = *poses.chain();
     const Position &from = *gcode::start_of(motion), &to = *gcode::end_of(motion);
     const SecondAxes second = poses.has_tip_control() ? second_axes(chain, motion) : SecondAxes{};
@@ -464,7 +461,7 @@ RotationBounds rotation_bounds_of(const Poses& poses, const gcode::Motion& motio
 }
 
 Course course_of(const gcode::Motion& motion, const gcode::Linear& m, const Poses& poses,
-                 const ToolExtent& tool, const std::optional<cda::Box>& place) {
+                 const ToolExtent& tool, const std::optional<Box>& place) {
     Course c;
     const double way = norm(poses.unrotated_place(m.to) - poses.unrotated_place(m.from));
     c.way_mm = way;
@@ -481,13 +478,13 @@ Course course_of(const gcode::Motion& motion, const gcode::Linear& m, const Pose
 
 Samples sample_linear(const gcode::Motion& motion, const gcode::Linear& m, const Poses& poses,
                       const ToolExtent& tool, const SamplingOptions& options,
-                      const std::optional<cda::Box>& place) {
+                      const std::optional<Box>& place) {
     return sample_course(course_of(motion, m, poses, tool, place), tool, options, poses,
                          [&m](double t) { return interpolate(m.from, m.to, t); });
 }
 
 Course course_of(const gcode::Motion& motion, const gcode::Arc& m, const PolarArc& p,
-                 const Poses& poses, const ToolExtent& tool, const std::optional<cda::Box>& place) {
+                 const Poses& poses, const ToolExtent& tool, const std::optional<Box>& place) {
     Course c;
     c.sweep_rad = std::abs(p.sweep_degrees) * kRadiansPerDegree;
     c.radius_mm = std::max(p.start_radius, p.end_radius);
@@ -507,7 +504,7 @@ Course course_of(const gcode::Motion& motion, const gcode::Arc& m, const PolarAr
 
 Samples sample_arc(const gcode::Motion& motion, const gcode::Arc& m, const Poses& poses,
                    const ToolExtent& tool, const SamplingOptions& options,
-                   const std::optional<cda::Box>& place) {
+                   const std::optional<Box>& place) {
     const PolarArc p = polar(m);
     return sample_course(course_of(motion, m, p, poses, tool, place), tool, options, poses,
                          [&](double t) { return arc_position(m, p, t); });
@@ -524,7 +521,7 @@ double distance_to_chord(Vec3 p, Vec3 a, Vec3 b) {
 
 Samples sample_spline(const gcode::Motion& motion, const gcode::Spline& m, const Poses& poses,
                       const ToolExtent& tool, const SamplingOptions& options,
-                      const std::optional<cda::Box>& place) {
+                      const std::optional<Box>& place) {
     const SplineCurve curve(m);
     if (!curve.is_sound())
         return sample_linear(motion, {m.from, m.to}, poses, tool, options, place);
@@ -587,7 +584,7 @@ std::optional<double> max_deviation_mm(const gcode::Motion& motion, const Poses&
 }
 
 Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options,
-               const std::optional<cda::Box>& place, const Kinematics* specified) {
+               const std::optional<Box>& place, const Kinematics* specified) {
     const Poses poses(specified, motion);
     if (const auto* linear = std::get_if<gcode::Linear>(&motion.action)) {
         return sample_linear(motion, *linear, poses, tool, options, place);

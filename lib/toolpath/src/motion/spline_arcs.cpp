@@ -3,8 +3,8 @@
 // Approximation of splines by biarcs, with bisection until the tolerance is met.
 #include "ncsim/toolpath/spline_arcs.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/toolpath/tool_pose.h"
-#include "ncsim/trig/angles.h"
 
 #include "motion/axis_path.h"
 
@@ -18,11 +18,6 @@
 namespace ncsim::toolpath {
 
 namespace {
-
-using cda::dot;
-using cda::norm;
-using cda::normalized;
-using cda::Vec3;
 
 // Radius, mm, above which an arc counts as a line.
 constexpr double kStraight = 1e5;
@@ -118,7 +113,7 @@ private:
         piece.centre = end + signed_radius * left;
         piece.radius = std::abs(signed_radius);
         const Vec3 start = from - piece.centre, stop = to - piece.centre;
-        double degrees = trig::angle_of(dot(stop, start), dot(stop, left_normal(start)));
+        double degrees = angle_of(dot(stop, start), dot(stop, left_normal(start)));
         if (signed_radius > 0.0 && degrees < 0.0) degrees += 360.0;
         if (signed_radius < 0.0 && degrees > 0.0) degrees -= 360.0;
         piece.swept_degrees = degrees;

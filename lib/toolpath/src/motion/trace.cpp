@@ -11,7 +11,6 @@
 namespace ncsim::toolpath {
 
 using cda::LatticePoint;
-using cda::Vec3;
 
 namespace {
 
@@ -211,8 +210,8 @@ Cutter::Reach Cutter::reach(const Rotation& rows, double end) const {
     return reach;
 }
 
-cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, const Reach& reach) const {
-    cda::Box box;
+Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, const Reach& reach) const {
+    Box box;
     for (const Pose* pose : {&X_WA, &X_WB}) {
         const LatticePoint t = lattice_.round(pose->translation);
         box.add(lattice_.to_mm(t + reach.low));
@@ -221,8 +220,7 @@ cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, const Reach& reach) 
     return box;
 }
 
-cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB,
-                        const SweepSimplification& liberties) const {
+Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, const SweepSimplification& liberties) const {
     if (X_WA.rows == X_WB.rows) return bounds(X_WA, X_WB, reach(X_WA));
     double kept = low_;
     for (const PieceExtent& piece : extent_.pieces) {
@@ -230,12 +228,12 @@ cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB,
         kept = std::max(kept, cut < piece.high_mm ? std::ceil(cut / lattice_.unit_mm) : high_);
     }
     const double end = std::min(high_, kept);
-    cda::Box box = bounds(X_WA, X_WA, reach(X_WA.rows, end));
+    Box box = bounds(X_WA, X_WA, reach(X_WA.rows, end));
     box.add(bounds(X_WB, X_WB, reach(X_WB.rows, end)));
     return box;
 }
 
-bool Cutter::meets(const cda::Box& place, const Pose& X_WA, const Pose& X_WB) {
+bool Cutter::meets(const Box& place, const Pose& X_WA, const Pose& X_WB) {
     const LatticePoint from = lattice_.round(X_WA.translation);
     const LatticePoint to = lattice_.round(X_WB.translation);
     return std::ranges::any_of(oriented(X_WA.rows).sweeps, [&](const auto& sweep) {

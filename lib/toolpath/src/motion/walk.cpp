@@ -4,7 +4,7 @@
 // runs.
 #include "ncsim/toolpath/walk.h"
 
-#include "ncsim/cda/int128.h"
+#include "ncsim/base/int128.h"
 #include "ncsim/toolpath/kinematics.h"
 
 #include "motion/axis_path.h"
@@ -32,9 +32,9 @@ Length axis_at(Length from, Length to, double rate, double time) {
     return from + (rate * time / distance) * (to - from);
 }
 
-cda::Box grow_box(cda::Box box, double by_mm) {
-    box.min = box.min - cda::Vec3{by_mm, by_mm, by_mm};
-    box.max = box.max + cda::Vec3{by_mm, by_mm, by_mm};
+Box grow_box(Box box, double by_mm) {
+    box.min = box.min - Vec3{by_mm, by_mm, by_mm};
+    box.max = box.max + Vec3{by_mm, by_mm, by_mm};
     return box;
 }
 
@@ -84,7 +84,7 @@ std::vector<cda::RoundSweep> round_sweep_of(const Tool& tool) {
 bool is_between(const cda::LatticePoint& a, const cda::LatticePoint& b,
                 const cda::LatticePoint& c) {
     const cda::LatticePoint u = b - a, v = c - b;
-    const auto product = [](std::int64_t p, std::int64_t q) { return cda::Int128{p} * q; };
+    const auto product = [](std::int64_t p, std::int64_t q) { return Int128{p} * q; };
     return product(u.x, v.y) == product(u.y, v.x) && product(u.y, v.z) == product(u.z, v.y) &&
            product(u.z, v.x) == product(u.x, v.z) &&
            product(u.x, v.x) + product(u.y, v.y) + product(u.z, v.z) > 0;
@@ -147,7 +147,7 @@ std::vector<Linear> legs_of(const Linear& rapid, const RapidPath& path) {
     return legs;
 }
 
-Walk::Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
+Walk::Walk(const cda::Lattice& lattice, const Box& stock, const ToolAccuracy& accuracy,
            const SamplingOptions& sampling, RapidPath rapid, const WatchedParts& watch,
            std::shared_ptr<const Kinematics> specified)
     : lattice_(lattice),
@@ -191,7 +191,7 @@ const Cutter* Walk::cutter(int number) const {
 
 // Returns cutter.bounds() of two poses of the same orientation, with the reach computed once per
 // orientation.
-cda::Box Walk::ToolData::bounds(const Pose& X_WA, const Pose& X_WB) {
+Box Walk::ToolData::bounds(const Pose& X_WA, const Pose& X_WB) {
     if (rows != X_WA.rows) {
         rows = X_WA.rows;
         reach = cutter.reach(X_WA);
@@ -205,19 +205,19 @@ void Walk::trace(ToolData& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin
     Cutter& cutter = tool.cutter;
     cells_.clear();
     sweeps_.clear();
-    const cda::Box bounds =
+    const Box bounds =
         X_WA.rows == X_WB.rows ? tool.bounds(X_WA, X_WB) : cutter.bounds(X_WA, X_WB, liberties);
     is_near_ = stock_.overlaps(bounds);
     if (!is_near_ || (region_ && !region_->overlaps(bounds))) return;
-    const cda::Vec3 up{0, 0, 1};
+    const Vec3 up{0, 0, 1};
     if (prefers_sweeps_ && !tool.round.empty() && axis_of(X_WA) == up && axis_of(X_WB) == up) {
         for (cda::RoundSweep sweep : tool.round) {
             sweep.origin = origin;
             for (const auto& [end, pose] : {std::pair{&sweep.from, &X_WA}, {&sweep.to, &X_WB}}) {
                 *end = pose->translation + *end;
                 const double r = sweep.radius;
-                sweep.bounds.add(*end - cda::Vec3{r, r, 0});
-                sweep.bounds.add(*end + cda::Vec3{r, r, sweep.height});
+                sweep.bounds.add(*end - Vec3{r, r, 0});
+                sweep.bounds.add(*end + Vec3{r, r, sweep.height});
             }
             if (stock_.overlaps(sweep.bounds)) sweeps_.push_back(sweep);
         }
@@ -267,7 +267,7 @@ void Walk::extend_line_run(ToolData& tool, const gcode::Motion& motion, const Po
         line_run_ = {from, {}, {}, &tool, cda::kStockOrigin};
     }
     line_run_.ends.push_back(to);
-    line_run_.steps.push_back({origin, 1.0, cells_.empty() ? cda::Box{} : cells_[0].bounds});
+    line_run_.steps.push_back({origin, 1.0, cells_.empty() ? Box{} : cells_[0].bounds});
     // A move that did not meet the stock has no origin, whether the stock is wanted there or not.
     if (is_near_ && tool.cutter.meets(stock_, X_WA, X_WB)) line_run_.origin = origin;
 }
@@ -278,7 +278,7 @@ void Walk::end_line_run() {
     const cda::LatticePoint way = run.ends.back() - run.start;
     const Pose X_WA{upright_, lattice_.to_mm(run.start)};
     const Pose X_WB{upright_, lattice_.to_mm(run.ends.back())};
-    const cda::Box bounds = run.tool->bounds(X_WA, X_WB);
+    const Box bounds = run.tool->bounds(X_WA, X_WB);
     if (!stock_.overlaps(bounds) || (region_ && !region_->overlaps(bounds))) return;
     run.tool->cutter.trace(X_WA, X_WB, run.origin, preceding_cells_);
     for (cda::Cell& cell : preceding_cells_) {
@@ -374,7 +374,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     const ToolExtent& followed = tool.followed;
     // The bounds hold for round tools. The hulls of the polytopes deviate from the round tools by
     // this margin.
-    const cda::Box place =
+    const Box place =
         grow_box(place_, std::max(accuracy_.tolerance_mm, cutter.error_mm()) + slack_mm_);
 
     SampleBounds worst;

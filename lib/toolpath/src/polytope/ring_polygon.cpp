@@ -3,9 +3,10 @@
 // Lattice polygons around circles, and coarser polygons with parallel sides.
 #include "polytope/ring_polygon.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
+#include "ncsim/base/vec2.h"
 
-#include "polytope/half_plane.h"
+#include "polytope/integer_rounding.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -41,8 +42,8 @@ void measure(RingPolygon& polygon) {
     for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
         const auto [x, y] = polygon.corners[i];
         const auto [u, v] = polygon.corners[(i + 1) % polygon.corners.size()];
-        const HalfPlaneVec p{static_cast<double>(x), static_cast<double>(y)};
-        const HalfPlaneVec q{static_cast<double>(u), static_cast<double>(v)};
+        const Vec2 p{static_cast<double>(x), static_cast<double>(y)};
+        const Vec2 q{static_cast<double>(u), static_cast<double>(v)};
         polygon.outer = std::max(polygon.outer, norm(p) * (1 + kSlack));
         const double length = norm(q - p);
         if (length > 0) {
@@ -70,7 +71,7 @@ bool is_strictly_convex(const Corners& corners) {
 std::vector<double> corner_cosines(int sides) {
     std::vector<double> cosines(static_cast<std::size_t>(sides / 4));
     for (std::size_t j = 0; j < cosines.size(); ++j) {
-        cosines[j] = trig::sin_cos(static_cast<double>(2 * j + 1) * (180.0 / sides)).cos;
+        cosines[j] = sin_cos(static_cast<double>(2 * j + 1) * (180.0 / sides)).cos;
     }
     return cosines;
 }

@@ -3,10 +3,11 @@
 // Search for the cheapest stack of rings that approximates a profile.
 #include "polytope/ring_walk.h"
 
+#include "ncsim/base/angles.h"
+#include "ncsim/base/vec2.h"
 #include "ncsim/cda/lattice.h"
-#include "ncsim/trig/angles.h"
 
-#include "polytope/half_plane.h"
+#include "polytope/integer_rounding.h"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +21,9 @@ namespace ncsim::toolpath {
 
 namespace {
 
-using Vec = HalfPlaneVec;
+// A point of the half-plane of profiles, in lattice units: x is the distance from the axis, y the
+// height.
+using Vec = Vec2;
 
 constexpr double kUpright = 1e-9;
 // A unit, by which heights are rounded, plus the rounding of doubles.
@@ -37,10 +40,10 @@ struct Fillet {
 
 Fillet fillet_of(Vec before, Vec corner, Vec after, double rho) {
     Fillet f;
-    f.d1 = unit(corner - before);
-    f.d2 = unit(after - corner);
+    f.d1 = normalized(corner - before);
+    f.d2 = normalized(after - corner);
     f.rho = rho;
-    f.turn_degrees = trig::angle_of(dot(f.d1, f.d2), cross(f.d1, f.d2));
+    f.turn_degrees = angle_of(dot(f.d1, f.d2), cross(f.d1, f.d2));
     const double leg = rho * cross(f.d1, f.d2) / (1 + dot(f.d1, f.d2));
     f.start = corner - leg * f.d1;
     f.end = corner + leg * f.d2;
@@ -59,10 +62,10 @@ std::vector<Vec> corners_of(const std::vector<ProfilePoint>& profile, double uni
 
 // Neighbours of a corner. Discs close the profile, so its first and last lines start on the axis.
 Vec previous_point(const std::vector<Vec>& points, std::size_t i) {
-    return i > 0 ? points[i - 1] : Vec{0, points[i].h};
+    return i > 0 ? points[i - 1] : Vec{0, points[i].y};
 }
 Vec next_point(const std::vector<Vec>& points, std::size_t i) {
-    return i + 1 < points.size() ? points[i + 1] : Vec{0, points[i].h};
+    return i + 1 < points.size() ? points[i + 1] : Vec{0, points[i].y};
 }
 
 std::vector<Fillet> fillets_of(const std::vector<ProfilePoint>& profile, double unit_mm) {
@@ -77,7 +80,7 @@ std::vector<Fillet> fillets_of(const std::vector<ProfilePoint>& profile, double 
 }
 
 double turning_angle(const Fillet& f, Vec d) {
-    return trig::angle_of(dot(f.d1, d), cross(f.d1, d));
+    return angle_of(dot(f.d1, d), cross(f.d1, d));
 }
 
 // A walk up to a ring.
@@ -247,17 +250,18 @@ private:
         const int facets = facets_of_strip(below, above);
         if (!seeks_short_directions_) return facets;
         const double long_edges = has_short_directions(below, above) ? 0.0 : facets;
-        const Vec along = unit({static_cast<double>(above.scale) * family_[above.polygon].inner -
-                                    static_cast<double>(below.scale) * family_[below.polygon].inner,
-                                static_cast<double>(above.height - below.height)});
-        const double turn = 2 * std::numbers::pi * std::abs(along.h);
+        const Vec along =
+            normalized(Vec2{static_cast<double>(above.scale) * family_[above.polygon].inner -
+                                static_cast<double>(below.scale) * family_[below.polygon].inner,
+                            static_cast<double>(above.height - below.height)});
+        const double turn = 2 * std::numbers::pi * std::abs(along.y);
         return facets + edge_costs_.long_direction * long_edges + visible_cost(along, turn);
     }
 
     // Returns the cost of an angle (radians) between normals at the slope `along`.
     double visible_cost(Vec along, double turn) const {
-        if (along.r <= 0) return 0.0;  // no finished part shows the upper side
-        return edge_costs_.visible_turn * along.r * along.r * along.r * along.r * turn;
+        if (along.x <= 0) return 0.0;  // no finished part shows the upper side
+        return edge_costs_.visible_turn * along.x * along.x * along.x * along.x * turn;
     }
 
     // True if the edges between two rings have short directions. Decided by one edge, because the
@@ -286,7 +290,7 @@ private:
     // the scales, or of a divisor of this step, above the ring below.
     double snap_height(const Step& under, std::size_t polygon, std::int64_t scale, double height,
                        Vec d) const {
-        if (!seeks_short_directions_ || !under.has_ring || std::abs(d.r) <= kUpright) return height;
+        if (!seeks_short_directions_ || !under.has_ring || std::abs(d.x) <= kUpright) return height;
         const std::int64_t step = scale_step(under.ring, {polygon, scale, 0});
         if (step <= 1) return height;
         std::int64_t factor = std::min(step, most_moved_);
@@ -295,7 +299,7 @@ private:
         const double times =
             (height - static_cast<double>(under.ring.height)) / static_cast<double>(factor);
         return static_cast<double>(under.ring.height +
-                                   factor * (d.r > 0 ? round_down(times) : round_up(times)));
+                                   factor * (d.x > 0 ? round_down(times) : round_up(times)));
     }
 
     // Adds a ring. Its height is rounded outwards: down on the lower side of the tool, up at the
@@ -355,14 +359,14 @@ private:
     // opposite way. The same holds where two cones meet.
     void add_corner(Vec p, Vec before, Vec after, bool upper_end) {
         constexpr std::size_t kFinest = 0;
-        const std::int64_t scale = scale_of(p.r, kFinest);
+        const std::int64_t scale = scale_of(p.x, kFinest);
         const auto multiple = static_cast<double>(scale);
-        const double error = 2 + (outside() ? multiple * family_[kFinest].outer - p.r
-                                            : p.r - multiple * family_[kFinest].inner);
-        const bool ends_a_cone = before.r < p.r && before.h < p.h;
-        const bool begins_a_cone = after.r < p.r && after.h > p.h;
+        const double error = 2 + (outside() ? multiple * family_[kFinest].outer - p.x
+                                            : p.x - multiple * family_[kFinest].inner);
+        const bool ends_a_cone = before.x < p.x && before.y < p.y;
+        const bool begins_a_cone = after.x < p.x && after.y > p.y;
         const bool is_both = upper_end ? ends_a_cone : begins_a_cone;
-        const bool upright = std::abs(p.r - before.r) <= kUpright;
+        const bool upright = std::abs(p.x - before.x) <= kUpright;
         std::vector<int> there;
         for (const int under : current_walks_) {
             if (scale != 0 && !may_follow(under, kFinest, upright)) continue;
@@ -371,12 +375,12 @@ private:
             // Inscribed, an upper end that is rounded down would let the cone protrude.
             const bool up = is_upper == outside();
             const auto [height, step] =
-                is_upper ? std::pair{up ? round_up(p.h) : round_down(p.h), std::int64_t{1}}
-                         : exact_height(at(under), scale, up ? round_up(p.h) : round_down(p.h), up);
+                is_upper ? std::pair{up ? round_up(p.y) : round_down(p.y), std::int64_t{1}}
+                         : exact_height(at(under), scale, up ? round_up(p.y) : round_down(p.y), up);
             const double off = error + static_cast<double>(step - 1);
             const int ring = add(under, kFinest, scale, static_cast<double>(height), is_upper, off);
-            const bool is_beyond = is_rim && height < round_up(p.h);
-            keep_cheapest(there, is_beyond ? add(ring, kFinest, scale, p.h, true, off) : ring);
+            const bool is_beyond = is_rim && height < round_up(p.y);
+            keep_cheapest(there, is_beyond ? add(ring, kFinest, scale, p.y, true, off) : ring);
         }
         current_walks_ = std::move(there);
     }
@@ -433,8 +437,8 @@ private:
 
     // Returns how far the farthest corners of a ring lie outside the arc.
     double excess_of(const Fillet& f, Vec p, std::size_t polygon) const {
-        const double stretched = p.r * (family_[polygon].outer / family_[polygon].inner);
-        return norm(Vec{stretched, p.h} - f.centre) - f.rho;
+        const double stretched = p.x * (family_[polygon].outer / family_[polygon].inner);
+        return norm(Vec{stretched, p.y} - f.centre) - f.rho;
     }
 
     // Adds rings on the tangent, as far along as their corners may lie outside, but not beyond the
@@ -442,36 +446,36 @@ private:
     void follow_tangent(const Fillet& f, int step, std::size_t polygon, Front& coming) {
         const Vec from = at(step).at;
         const Vec d = at(step).d;
-        const bool upright = std::abs(d.r) <= kUpright;
+        const bool upright = std::abs(d.x) <= kUpright;
         if (!may_follow(step, polygon, upright) || !is_worth_following(step, polygon, d)) return;
         const double b = family_[polygon].inner;
         const double stretch = family_[polygon].outer / b;
         const double reach = f.rho + excess_;
         if (upright) {
             // There is a single radius only, so the height is free.
-            const std::int64_t scale = scale_of(from.r, polygon);
+            const std::int64_t scale = scale_of(from.x, polygon);
             Vec p;
-            p.r = static_cast<double>(scale) * b;
-            const double x = p.r * stretch - f.centre.r;
+            p.x = static_cast<double>(scale) * b;
+            const double x = p.x * stretch - f.centre.x;
             if (x >= reach) return;
-            p.h = f.centre.h + std::sqrt(reach * reach - x * x);
+            p.y = f.centre.y + std::sqrt(reach * reach - x * x);
             // The end line, which is not upright, also limits the height.
-            p.h = std::min(p.h, f.end.h + (p.r - f.end.r) / f.d2.r * f.d2.h);
+            p.y = std::min(p.y, f.end.y + (p.x - f.end.x) / f.d2.x * f.d2.y);
             add_on_tangent(f, step, polygon, scale, p, coming);
             return;
         }
         // The point from + t d, stretched, is at the distance `reach` from the centre.
-        const Vec u{from.r * stretch - f.centre.r, from.h - f.centre.h};
-        const Vec v{d.r * stretch, d.h};
+        const Vec u{from.x * stretch - f.centre.x, from.y - f.centre.y};
+        const Vec v{d.x * stretch, d.y};
         const double half = dot(u, v) / dot(v, v);
         const double under = half * half - (dot(u, u) - reach * reach) / dot(v, v);
         if (under <= 0) return;
         const double t = -half + std::sqrt(under);
-        const double end = intersect_profile(f, from, d).r;
+        const double end = intersect_profile(f, from, d).x;
         const double radius =
-            d.r > 0 ? std::min(from.r + t * d.r, end) : std::max(from.r + t * d.r, end);
+            d.x > 0 ? std::min(from.x + t * d.x, end) : std::max(from.x + t * d.x, end);
         if (radius <= 0) return;
-        const std::int64_t scale = d.r > 0 ? round_down(radius / b) : round_up(radius / b);
+        const std::int64_t scale = d.x > 0 ? round_down(radius / b) : round_up(radius / b);
         if (!seeks_short_directions_) {
             add_on_tangent(f, step, polygon, scale, coming);
             return;
@@ -480,7 +484,7 @@ private:
         constexpr int kTries = 3;
         const auto add_nearer = [&](std::int64_t first, std::int64_t nearer) {
             for (int i = 0; i < kTries; ++i) {
-                const std::int64_t s = d.r > 0 ? first - i * nearer : first + i * nearer;
+                const std::int64_t s = d.x > 0 ? first - i * nearer : first + i * nearer;
                 if (add_on_tangent(f, step, polygon, s, coming)) return;
             }
         };
@@ -498,13 +502,13 @@ private:
         const Ring& under = at(step).ring;
         if (!seeks_short_directions_ || !at(step).has_ring || under.scale == 0) return true;
         const int below = family_[under.polygon].sides, above = family_[polygon].sides;
-        const bool is_gradual = d.r > 0 ? above % below == 0 : below % above == 0;
+        const bool is_gradual = d.x > 0 ? above % below == 0 : below % above == 0;
         return is_gradual && at(step).cost + std::max(below, above) <= limits_.cost;
     }
 
     // Returns the multiple of `factor` next to `scale` that is nearer along d.
     static std::int64_t nearer_multiple(std::int64_t scale, std::int64_t factor, Vec d) {
-        return (d.r > 0 ? scale : scale + factor - 1) / factor * factor;
+        return (d.x > 0 ? scale : scale + factor - 1) / factor * factor;
     }
 
     // Returns the farthest scale, at most `scale`, with which the edges from a ring of a different
@@ -517,8 +521,8 @@ private:
         for (std::int64_t parts = 1; parts * kLeastShared <= under.scale; ++parts) {
             if (under.scale % parts != 0) continue;
             const std::int64_t s = nearer_multiple(scale, under.scale / parts, d);
-            if (s <= 0 || (best > 0 && (d.r > 0 ? s <= best : s >= best))) continue;
-            const auto height = static_cast<std::int64_t>(point_on_tangent(step, polygon, s).h);
+            if (s <= 0 || (best > 0 && (d.x > 0 ? s <= best : s >= best))) continue;
+            const auto height = static_cast<std::int64_t>(point_on_tangent(step, polygon, s).y);
             if (has_short_directions(under, {polygon, s, height})) best = s;
         }
         return best;
@@ -529,9 +533,9 @@ private:
         const Vec from = at(step).at;
         const Vec d = at(step).d;
         Vec p;
-        p.r = static_cast<double>(scale) * family_[polygon].inner;
-        p.h = from.h + (p.r - from.r) / d.r * d.h;
-        if (outside()) p.h = snap_height(at(step), polygon, scale, round_outward(p.h, d), d);
+        p.x = static_cast<double>(scale) * family_[polygon].inner;
+        p.y = from.y + (p.x - from.x) / d.x * d.y;
+        if (outside()) p.y = snap_height(at(step), polygon, scale, round_outward(p.y, d), d);
         return p;
     }
 
@@ -545,18 +549,18 @@ private:
     bool add_on_tangent(const Fillet& f, int step, std::size_t polygon, std::int64_t scale, Vec p,
                         Front& coming) {
         const Vec d = at(step).d;
-        p.h = outside() ? round_outward(p.h, d) : round_inward(p.h, f);
+        p.y = outside() ? round_outward(p.y, d) : round_inward(p.y, f);
         // A ring that is not beyond the tangent's contact with the arc makes no progress.
         if (dot(p - f.centre, d) <= 0) return false;
         Vec next = tangent_from(f, p);
         // The end is nearer.
-        if (inset_ > 0 && turning_angle(f, next) >= f.turn_degrees) next = unit(f.end - p);
+        if (inset_ > 0 && turning_angle(f, next) >= f.turn_degrees) next = normalized(f.end - p);
         const double degrees = turning_angle(f, next);
         if (degrees <= at(step).turned_degrees || degrees >= f.turn_degrees) return false;
         const double error = std::max(f.rho - contact_radius(f), excess_of(f, p, polygon)) + 1;
         if (error > tolerance_) return false;
-        const bool is_upper = outside() ? d.r <= kUpright : p.h > f.centre.h;
-        const int ring = add(step, polygon, scale, p.h, is_upper, error);
+        const bool is_upper = outside() ? d.x <= kUpright : p.y > f.centre.y;
+        const int ring = add(step, polygon, scale, p.y, is_upper, error);
         walk_line(ring, p, next, degrees);
         coming.admit(*this, ring);
         return true;
@@ -573,7 +577,7 @@ private:
     }
 
     static double round_inward(double height, const Fillet& f) {
-        return static_cast<double>(height > f.centre.h ? round_down(height) : round_up(height));
+        return static_cast<double>(height > f.centre.y ? round_down(height) : round_up(height));
     }
 
     // Returns the intersection of the line from a point and the line on which the profile
@@ -597,7 +601,7 @@ private:
 
     // Rounds a height to the lattice, outwards of the line that the point lies on.
     static double round_outward(double height, Vec line) {
-        return static_cast<double>(line.r > kUpright ? round_down(height) : round_up(height));
+        return static_cast<double>(line.x > kUpright ? round_down(height) : round_up(height));
     }
 
     // --- Circumscribed ---
@@ -619,36 +623,36 @@ private:
         // is then the limit.
         if (inset_ > 0 && dot(meeting - f.end, f.d2) > 0) {
             meeting = f.end;
-            d = unit(f.end - from);
+            d = normalized(f.end - from);
         }
-        const bool upright = std::abs(f.d2.r) <= kUpright || std::abs(d.r) <= kUpright;
+        const bool upright = std::abs(f.d2.x) <= kUpright || std::abs(d.x) <= kUpright;
         if (upright && polygon != 0) return;
         const double b = family_[polygon].inner;
         std::int64_t scale = 0;
         Vec p;
-        if (d.r <= kUpright && f.d2.r < -kUpright) {
-            scale = scale_of(std::clamp(meeting.r, 0.0, from.r), polygon);
-            p.r = static_cast<double>(scale) * b;
-            p.h = f.end.h + (p.r - f.end.r) / f.d2.r * f.d2.h;
-        } else if (std::abs(d.r) <= kUpright) {
+        if (d.x <= kUpright && f.d2.x < -kUpright) {
+            scale = scale_of(std::clamp(meeting.x, 0.0, from.x), polygon);
+            p.x = static_cast<double>(scale) * b;
+            p.y = f.end.y + (p.x - f.end.x) / f.d2.x * f.d2.y;
+        } else if (std::abs(d.x) <= kUpright) {
             return;
         } else {
             // Repeated while the height, rounded outwards for the first line, is inside the second
             // line.
-            scale = scale_of(meeting.r, polygon) - 1;
+            scale = scale_of(meeting.x, polygon) - 1;
             do {
-                p.r = static_cast<double>(++scale) * b;
-                p.h = round_outward(from.h + (p.r - from.r) / d.r * d.h, d);
-                p.h = snap_height(at(step), polygon, scale, p.h, d);
-            } while (f.d2.r < -kUpright && cross(f.d2, p - f.end) > 0);
+                p.x = static_cast<double>(++scale) * b;
+                p.y = round_outward(from.y + (p.x - from.x) / d.x * d.y, d);
+                p.y = snap_height(at(step), polygon, scale, p.y, d);
+            } while (f.d2.x < -kUpright && cross(f.d2, p - f.end) > 0);
             // A ring as wide as an upright part that follows may end at the start of that part,
             // because the upper end of that part may be the upper end of the tool.
-            if (std::abs(f.d2.r) <= kUpright) p.h = std::min(p.h, f.end.h);
+            if (std::abs(f.d2.x) <= kUpright) p.y = std::min(p.y, f.end.y);
         }
-        if (!may_follow(step, polygon, std::abs(d.r) <= kUpright)) return;
+        if (!may_follow(step, polygon, std::abs(d.x) <= kUpright)) return;
         const double error = std::max(f.rho - contact_radius(f), excess_of(f, p, polygon)) + 1;
         if (error > tolerance_) return;
-        keep_cheapest(there, add(step, polygon, scale, p.h, d.r <= kUpright, error));
+        keep_cheapest(there, add(step, polygon, scale, p.y, d.x <= kUpright, error));
     }
 
     // --- Inscribed ---
@@ -667,41 +671,41 @@ private:
     // Starts the arc back along d1, so that the lower end keeps its height.
     void begin_arc(const Fillet& f, int step, std::size_t polygon, Front& coming) {
         constexpr double kBegun = 1e-12;
-        const std::int64_t scale = scale_of(f.start.r, polygon);
+        const std::int64_t scale = scale_of(f.start.x, polygon);
         if (scale == 0 && polygon != 0) return;
-        const bool upright = std::abs(f.d1.r) <= kUpright;
+        const bool upright = std::abs(f.d1.x) <= kUpright;
         if (!may_follow(step, polygon, upright)) return;
         const double radius = static_cast<double>(scale) * family_[polygon].outer;
-        const bool moves = f.d1.r > kUpright;
-        const double back = moves ? (f.start.r - radius) / f.d1.r * f.d1.h : 0.0;
-        const double height = round_inward(f.start.h - back, f);
+        const bool moves = f.d1.x > kUpright;
+        const double back = moves ? (f.start.x - radius) / f.d1.x * f.d1.y : 0.0;
+        const double height = round_inward(f.start.y - back, f);
         const Vec side{static_cast<double>(scale) * family_[polygon].inner, height};
         const double within = cross(f.d1, side - f.start);
         if (within + 2 > tolerance_) return;
-        const int ring = add(step, polygon, scale, height, f.start.h > f.centre.h, within + 2);
+        const int ring = add(step, polygon, scale, height, f.start.y > f.centre.y, within + 2);
         // Small arcs may be skipped completely.
         const bool is_near = within <= f.rho - contact_radius(f);
-        const Vec d = is_near ? tangent_from(f, side) : unit(f.end - side);
+        const Vec d = is_near ? tangent_from(f, side) : normalized(f.end - side);
         walk_line(ring, side, d, std::max(kBegun, turning_angle(f, d)));
         coming.admit(*this, ring);
     }
 
     void end_arc(const Fillet& f, int step, std::size_t polygon, std::vector<int>& there) {
-        const bool upright = std::abs(f.d2.r) <= kUpright;
+        const bool upright = std::abs(f.d2.x) <= kUpright;
         if (upright && polygon != 0) return;
-        const std::int64_t scale = scale_of(f.end.r, polygon);
+        const std::int64_t scale = scale_of(f.end.x, polygon);
         if (scale == 0 && polygon != 0) return;
         const double radius = static_cast<double>(scale) * family_[polygon].outer;
-        const double x = radius - f.centre.r;
+        const double x = radius - f.centre.x;
         const double rise = std::sqrt(std::max(0.0, f.rho * f.rho - x * x));
-        const bool upper = f.end.h > f.centre.h;
+        const bool upper = f.end.y > f.centre.y;
         const double height =
-            round_inward(upright ? f.end.h : f.centre.h + (upper ? rise : -rise), f);
+            round_inward(upright ? f.end.y : f.centre.y + (upper ? rise : -rise), f);
         const Vec from = at(step).at;
         const Vec side{static_cast<double>(scale) * family_[polygon].inner, height};
         // Distance of the facets between both rings from the arc.
-        const double depth = f.rho - cross(from - f.centre, unit(side - from));
-        const double error = std::max(depth, std::abs(f.end.r - side.r)) + 2;
+        const double depth = f.rho - cross(from - f.centre, normalized(side - from));
+        const double error = std::max(depth, std::abs(f.end.x - side.x)) + 2;
         if (error > tolerance_) return;
         const double all = std::max(error, f.rho - contact_radius(f) + 2);
         keep_cheapest(there, add(step, polygon, scale, height, upper, all));
@@ -740,7 +744,7 @@ double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& famil
     for (const RingPolygon& polygon : family) {
         auto& reach = reaches.emplace_back();
         for (std::size_t i = 0; i < kAround; ++i) {
-            const trig::SinCos a = trig::sin_cos((static_cast<double>(i) + 0.5) * 45.0 / kAround);
+            const SinCos a = sin_cos((static_cast<double>(i) + 0.5) * 45.0 / kAround);
             for (const auto& [x, y] : polygon.corners) {
                 reach[i] = std::max(
                     reach[i], a.cos * static_cast<double>(x) + a.sin * static_cast<double>(y));
@@ -751,18 +755,18 @@ double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& famil
     for (const Fillet& f : fillets_of(piece.profile, unit_mm)) {
         const Vec out = -1.0 * left_normal(f.d1);
         for (int k = 0; k < kAlong; ++k) {
-            const trig::SinCos a = trig::sin_cos((k + 0.5) * f.turn_degrees / kAlong);
+            const SinCos a = sin_cos((k + 0.5) * f.turn_degrees / kAlong);
             const Vec n = a.cos * out + a.sin * left_normal(out);
-            if (n.h >= 0) break;
-            const double seen = n.h * n.h * n.h * n.h;
-            const double weight = seen * f.turn_degrees * f.rho * (f.centre.r + f.rho * n.r);
+            if (n.y >= 0) break;
+            const double seen = n.y * n.y * n.y * n.y;
+            const double weight = seen * f.turn_degrees * f.rho * (f.centre.x + f.rho * n.x);
             double mean = 0.0;
             for (std::size_t i = 0; i < kAround; ++i) {
                 double reach = -std::numeric_limits<double>::infinity();
                 for (const Ring& ring : rings) {
                     reach = std::max(
-                        reach, n.r * static_cast<double>(ring.scale) * reaches[ring.polygon][i] +
-                                   n.h * static_cast<double>(ring.height));
+                        reach, n.x * static_cast<double>(ring.scale) * reaches[ring.polygon][i] +
+                                   n.y * static_cast<double>(ring.height));
                 }
                 mean += reach / kAround;
             }

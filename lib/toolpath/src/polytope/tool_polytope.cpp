@@ -7,7 +7,7 @@
 // and b for the least cost within the tolerance.
 #include "ncsim/toolpath/tool_polytope.h"
 
-#include "polytope/half_plane.h"
+#include "polytope/integer_rounding.h"
 #include "polytope/ring_polygon.h"
 #include "polytope/ring_walk.h"
 

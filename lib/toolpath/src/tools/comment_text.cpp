@@ -3,35 +3,15 @@
 // Numbers with units, words and quotes in comments and options.
 #include "tools/comment_text.h"
 
-#include <array>
+#include "ncsim/base/number_text.h"
+
 #include <charconv>
 #include <cmath>
 
 namespace ncsim::toolpath::text {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 bool is_letter(char c) {
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-           static_cast<unsigned char>(c) >= 0x80;
-}
-
-std::string upper(std::string_view s) {
-    std::string result(s);
-    for (char& c : result) {
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    }
-    return result;
-}
-
-std::string_view trimmed(std::string_view s) {
-    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (!s.empty() && blank(s.front()))
-        s.remove_prefix(1);
-    while (!s.empty() && blank(s.back()))
-        s.remove_suffix(1);
-    return s;
+    return ncsim::is_letter(c) || static_cast<unsigned char>(c) >= 0x80;
 }
 
 std::vector<std::string_view> split(std::string_view s, char separator) {
@@ -155,11 +135,8 @@ std::string quoted(std::string_view s) {
 }
 
 std::string number(double value) {
-    std::array<char, 32> buffer{};
     // Rounded to 1e-6, a nanometre in mm; this removes -0 and rounding errors.
-    const double rounded = std::round(value * 1e6) / 1e6 + 0.0;
-    const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded);
-    return {buffer.data(), written.ptr};
+    return shortest(std::round(value * 1e6) / 1e6 + 0.0);
 }
 
 }  // namespace ncsim::toolpath::text

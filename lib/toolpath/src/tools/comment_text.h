@@ -4,6 +4,8 @@
 // meaning.
 #pragma once
 
+#include "ncsim/base/ascii.h"
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,10 +13,7 @@
 
 namespace ncsim::toolpath::text {
 
-bool is_digit(char c);
 bool is_letter(char c);
-std::string upper(std::string_view s);
-std::string_view trimmed(std::string_view s);
 std::vector<std::string_view> split(std::string_view s, char separator);
 /// True if `needle` occurs as a word of its own, without adjacent letters.
 bool has_word(std::string_view s, std::string_view needle);

@@ -100,14 +100,14 @@ std::optional<double> unit_named(std::string_view upper) {
 std::string letters_and_digits(std::string_view text) {
     std::string kept;
     for (const char c : text) {
-        if ((c >= 'A' && c <= 'Z') || text::is_digit(c)) kept += c;
+        if ((c >= 'A' && c <= 'Z') || is_digit(c)) kept += c;
     }
     return kept;
 }
 
 // Returns the column of a name such as `Diameter (mm)`, `flute_length_in` or `Ø`.
 std::optional<Header> header_of(std::string_view field) {
-    const std::string upper = words::plain_upper(text::trimmed(field));
+    const std::string upper = words::plain_upper(trimmed(field));
     Header header;
     std::string name = letters_and_digits(upper);
     // The last word may be a unit.
@@ -130,10 +130,9 @@ struct Row {
     std::vector<std::string> fields;
     std::uint32_t line = 1;
     bool is_empty() const {
-        return std::ranges::all_of(fields,
-                                   [](const std::string& f) { return text::trimmed(f).empty(); });
+        return std::ranges::all_of(fields, [](const std::string& f) { return trimmed(f).empty(); });
     }
-    bool begins_with_hash() const { return text::trimmed(fields.front()).starts_with('#'); }
+    bool begins_with_hash() const { return trimmed(fields.front()).starts_with('#'); }
 };
 
 // Rows of a text, one at a time. A field in quotes may contain separators and ends of lines. A line
@@ -188,7 +187,7 @@ private:
             if (c == '\n' || (c == '\r' && !text_.starts_with('\n'))) ++line_;
             quoted += c;
         }
-        quoted += text::trimmed(taken(ends));
+        quoted += trimmed(taken(ends));
         return quoted;
     }
 
@@ -221,7 +220,7 @@ struct Table {
 // True for the line "sep=;" of spreadsheets. The line is read with the separator that is named.
 bool names_separator(const Row& row) {
     return row.line == 1 && row.fields.size() == 2 && row.fields[1].empty() &&
-           text::upper(text::trimmed(row.fields[0])) == "SEP=";
+           uppercase(trimmed(row.fields[0])) == "SEP=";
 }
 
 // True for a line that begins with # and names no columns.
@@ -230,7 +229,7 @@ bool is_comment(const Row& row) {
 }
 
 std::optional<Table> table_of(std::string_view text) {
-    if (text::trimmed(text).starts_with(';')) return std::nullopt;  // LinuxCNC's comment
+    if (trimmed(text).starts_with(';')) return std::nullopt;  // LinuxCNC's comment
     for (const char separator : {',', ';', '\t'}) {
         Rows rows(text, separator);
         auto row = rows.next();
@@ -247,7 +246,7 @@ std::optional<Table> table_of(std::string_view text) {
 class Line {
 public:
     Line(const Row& row, const Table& table, double unit) : row_(row), table_(table), unit_(unit) {
-        const std::string metric = text::upper(text_of(Column::IsMetric));
+        const std::string metric = uppercase(text_of(Column::IsMetric));
         if (metric == "0" || metric == "0.0" || metric == "FALSE" || metric == "NO" ||
             metric == "N")
             unit_ = 25.4;
@@ -258,7 +257,7 @@ public:
             broken_ = text_of(Column::IsMetric);
         const std::string_view name = text_of(Column::UnitName);
         if (name.empty()) return;
-        if (const auto named = unit_named(text::upper(name)))
+        if (const auto named = unit_named(uppercase(name)))
             unit_ = *named;
         else
             broken_ = name;
@@ -266,15 +265,14 @@ public:
 
     std::string_view text_of(Column column) const {
         const Header* const header = header_of(column);
-        return header && header->place < row_.fields.size()
-                   ? text::trimmed(row_.fields[header->place])
-                   : std::string_view();
+        return header && header->place < row_.fields.size() ? trimmed(row_.fields[header->place])
+                                                            : std::string_view();
     }
 
     // Returns a number that fills its field, as written. Empty for an empty field, and for another
     // text, which broken() then returns.
     std::optional<text::Quantity> number_of(Column column) {
-        std::string written = text::upper(text_of(column));
+        std::string written = uppercase(text_of(column));
         if (written.empty()) return std::nullopt;
         if (table_.separator != ',') std::ranges::replace(written, ',', '.');
         const auto value = text::quantity_at(written, 0);
@@ -314,7 +312,7 @@ private:
 void set_kind(const Line& line, ToolSpec& spec) {
     const std::string type(line.text_of(Column::Kind));
     spec.description = std::string(line.text_of(Column::Name));
-    if (text::upper(type) == "CHAMFER") spec.kind = ToolKind::ChamferMill;
+    if (uppercase(type) == "CHAMFER") spec.kind = ToolKind::ChamferMill;
     if (!spec.kind) spec.kind = words::kind_named(type);
     // "end" is an end mill; "foo mill" is no kind.
     if (!spec.kind && !type.empty() && type.find(' ') == std::string::npos)
@@ -325,8 +323,8 @@ void set_kind(const Line& line, ToolSpec& spec) {
 void read_row(const Row& row, const Table& table, double unit, Collector& out) {
     Line line(row, table, unit);
     const gcode::SourceSpan span{row.line, 1, 0};
-    std::string written = text::upper(line.text_of(Column::Number));
-    if (written.size() > 1 && written[0] == 'T' && text::is_digit(written[1])) written.erase(0, 1);
+    std::string written = uppercase(line.text_of(Column::Number));
+    if (written.size() > 1 && written[0] == 'T' && is_digit(written[1])) written.erase(0, 1);
     const auto number = text::quantity_at(written, 0);
     constexpr double kMostTools = 1e8;
     if (written.empty() || written == "0") return;

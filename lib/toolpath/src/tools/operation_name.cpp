@@ -22,17 +22,10 @@ constexpr std::array<std::string_view, 12> kOthers{
     "FINISH OPERATION", "END OPERATION", "END ",      "PATH:",      "MSG,",  "DEBUG,",
     "PRINT,",           "LOG",           "PROBEOPEN", "PROBECLOSE", "AXIS,", "HTTP"};
 
-bool is_letter(char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || byte >= 0x80;
-}
-
 // Returns `text` without blanks, dashes, stars and the like around it.
 std::string_view without_frame(std::string_view text) {
     constexpr std::string_view kFrame = " \t-*=#_~:";
-    const std::size_t first = text.find_first_not_of(kFrame);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kFrame) + 1 - first);
+    return trimmed(text, kFrame);
 }
 
 std::size_t words_in(std::string_view text) {
@@ -47,7 +40,7 @@ std::size_t words_in(std::string_view text) {
 std::optional<std::string> operation_name_of(std::string_view comment) {
     if (comment.size() > 4 * kMostBytes) return std::nullopt;
     std::string_view name = without_frame(comment);
-    const std::string upper = text::upper(name);
+    const std::string upper = uppercase(name);
     const auto begins = [&upper](std::string_view words) { return upper.starts_with(words); };
     if (std::ranges::any_of(kOthers, begins)) return std::nullopt;
     if (const auto* const found = std::ranges::find_if(kIntroductions, begins);
@@ -56,7 +49,7 @@ std::optional<std::string> operation_name_of(std::string_view comment) {
     const bool is_value = name.find_first_of("=;%[]{}\\") != std::string_view::npos;
     if (name.size() < 2 || name.size() > kMostBytes || is_value || name.ends_with('.') ||
         name.ends_with('!') || name.ends_with('?') || words_in(name) > kMostWords ||
-        std::ranges::count_if(name, is_letter) < 2)
+        std::ranges::count_if(name, text::is_letter) < 2)
         return std::nullopt;
     return std::string(name);
 }

@@ -3,8 +3,8 @@
 // Stock options, the stock's shape, and derivation of a stock from cutting moves.
 #include "ncsim/toolpath/stock.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/cda/hull.h"
-#include "ncsim/trig/angles.h"
 
 #include "tools/comment_text.h"
 
@@ -20,14 +20,14 @@ namespace {
 
 // Reads exactly `count` numbers, three at most, between separators. With `unit`, the numbers are
 // lengths in mm that may have units; a length without unit is multiplied by `unit`.
-std::optional<cda::Vec3> numbers(std::string_view s, char separator, int count,
-                                 std::optional<double> unit) {
+std::optional<Vec3> numbers(std::string_view s, char separator, int count,
+                            std::optional<double> unit) {
     using text::Unit;
     const auto parts = text::split(s, separator);
     if (parts.size() != static_cast<std::size_t>(count)) return std::nullopt;
-    cda::Vec3 v;
+    Vec3 v;
     for (int axis = 0; axis < count; ++axis) {
-        const std::string_view part = text::trimmed(parts[static_cast<std::size_t>(axis)]);
+        const std::string_view part = trimmed(parts[static_cast<std::size_t>(axis)]);
         const auto q = text::quantity_at(part, 0);
         if (!q || q->end != part.size() || q->unit == Unit::Degree) return std::nullopt;
         if (!unit && q->unit != Unit::None) return std::nullopt;
@@ -41,12 +41,12 @@ std::optional<cda::Vec3> numbers(std::string_view s, char separator, int count,
 
 }  // namespace
 
-std::optional<cda::Vec3> parse_triple(std::string_view text) {
+std::optional<Vec3> parse_triple(std::string_view text) {
     return numbers(text, ',', 3, std::nullopt);
 }
 
 std::optional<Stock> parse_stock_option(std::string_view option, std::string& message) {
-    const std::string upper = text::upper(text::trimmed(option));
+    const std::string upper = uppercase(trimmed(option));
     std::string_view s = upper;
     // The unit after the last number is the unit of all numbers without unit.
     double scale = 1.0;
@@ -56,7 +56,7 @@ std::optional<Stock> parse_stock_option(std::string_view option, std::string& me
     const auto three = [scale](std::string_view part, char separator) {
         return numbers(part, separator, 3, scale);
     };
-    cda::Box box;
+    Box box;
     const bool is_round = s.substr(0, 1) == "D";
     int axis = 2;
     if (is_round && (s.substr(1, 1) == "X" || s.substr(1, 1) == "Y")) {
@@ -68,7 +68,7 @@ std::optional<Stock> parse_stock_option(std::string_view option, std::string& me
     if (is_round) {
         const auto size =
             numbers(s.substr(1, at == std::string_view::npos ? at : at - 1), 'X', 2, scale);
-        std::optional<cda::Vec3> foot;
+        std::optional<Vec3> foot;
         if (at != std::string_view::npos) {
             foot = three(s.substr(at + 1), ',');
         } else if (size) {
@@ -77,7 +77,7 @@ std::optional<Stock> parse_stock_option(std::string_view option, std::string& me
         }
         if (foot && size && size->x > 0 && size->y > 0) {
             const double r = size->x / 2;
-            cda::Vec3 below{-r, -r, -r}, above{r, r, r};
+            Vec3 below{-r, -r, -r}, above{r, r, r};
             below[axis] = 0.0, above[axis] = size->y;
             box.add(*foot + below);
             box.add(*foot + above);
@@ -87,11 +87,11 @@ std::optional<Stock> parse_stock_option(std::string_view option, std::string& me
         const auto b = three(s.substr(colon + 1), ',');
         if (a && b) box.add(*a), box.add(*b);
     } else if (const auto size = three(s.substr(0, at), 'X')) {
-        std::optional<cda::Vec3> corner;
+        std::optional<Vec3> corner;
         if (at != std::string_view::npos) {
             corner = three(s.substr(at + 1), ',');
         } else {
-            corner = cda::Vec3{-size->x / 2, -size->y / 2, -size->z};
+            corner = Vec3{-size->x / 2, -size->y / 2, -size->z};
         }
         if (corner && size->x > 0 && size->y > 0 && size->z > 0) {
             box.add(*corner), box.add(*corner + *size);
@@ -107,7 +107,7 @@ std::optional<Stock> parse_stock_option(std::string_view option, std::string& me
             "expected x0,y0,z0:x1,y1,z1 or LxWxH or LxWxH@x,y,z, "
             "for a bar DdxH or DdxH@x,y,z (DXdxL, DYdxL: along X, Y)");
     }
-    const cda::Vec3 size = box.size();
+    const Vec3 size = box.size();
     for (int i = 0; i < 3; ++i) {
         if (!text::is_sane_length(size[i]) || std::abs(box.min[i]) > 1e6) {
             return refuse("a block must be between 1 nm and 1 km in each direction, near zero");
@@ -131,16 +131,16 @@ cda::Shape stock_shape(const Stock& stock, double tolerance_mm) {
     const int across = (along + 1) % 3, up = (along + 2) % 3;
     const double radius = 0.5 * stock.box.size()[across];
     int sides = 16;
-    const auto beyond = [&] { return radius * (1.0 / trig::sin_cos(180.0 / sides).cos - 1.0); };
+    const auto beyond = [&] { return radius * (1.0 / sin_cos(180.0 / sides).cos - 1.0); };
     while (beyond() > tolerance_mm && sides < 4096)
         sides += 4;
-    const cda::Vec3 centre = 0.5 * (stock.box.min + stock.box.max);
-    const double corner = radius / trig::sin_cos(180.0 / sides).cos;
+    const Vec3 centre = 0.5 * (stock.box.min + stock.box.max);
+    const double corner = radius / sin_cos(180.0 / sides).cos;
     std::vector<cda::LatticePoint> points;
     for (int i = 0; i < sides; ++i) {
-        const trig::SinCos at = trig::sin_cos(180.0 * (2 * i + 1) / sides);
-        for (const cda::Vec3& end : {stock.box.min, stock.box.max}) {
-            cda::Vec3 p;
+        const SinCos at = sin_cos(180.0 * (2 * i + 1) / sides);
+        for (const Vec3& end : {stock.box.min, stock.box.max}) {
+            Vec3 p;
             p[across] = centre[across] + corner * at.cos;
             p[up] = centre[up] + corner * at.sin;
             p[along] = end[along];
@@ -162,7 +162,7 @@ double margin(double size) {
 }
 
 // Widens the box along an axis by the margin, to whole millimetres.
-void widen(cda::Box& box, int axis) {
+void widen(Box& box, int axis) {
     const double m = margin(box.size()[axis]);
     box.min[axis] = std::floor(box.min[axis] - m);
     box.max[axis] = std::ceil(box.max[axis] + m);
@@ -197,10 +197,10 @@ std::optional<double> HighestLevels::step() const {
     return first;
 }
 
-DerivedStock derive_stock(const cda::Box& swept, double highest_tip, const HighestLevels& levels) {
+DerivedStock derive_stock(const Box& swept, double highest_tip, const HighestLevels& levels) {
     DerivedStock derived;
     if (swept.is_empty()) return derived;
-    cda::Box box = swept;
+    Box box = swept;
     widen(box, 0);
     widen(box, 1);
     const double depth = highest_tip - swept.min.z;
@@ -225,10 +225,10 @@ DerivedStock derive_stock(const cda::Box& swept, double highest_tip, const Highe
     return derived;
 }
 
-DerivedStock derive_sheet(const cda::Box& tips) {
+DerivedStock derive_sheet(const Box& tips) {
     DerivedStock derived;
     if (tips.is_empty()) return derived;
-    cda::Box box = tips;
+    Box box = tips;
     widen(box, 0);
     widen(box, 1);
     box.max.z = tips.min.z;
@@ -238,10 +238,10 @@ DerivedStock derive_sheet(const cda::Box& tips) {
     return derived;
 }
 
-DerivedStock derive_bar(const cda::Box& swept, int axis, double radius) {
+DerivedStock derive_bar(const Box& swept, int axis, double radius) {
     DerivedStock derived;
     if (swept.is_empty()) return derived;
-    cda::Box box = swept;
+    Box box = swept;
     widen(box, axis);
     const double r = std::max(radius, kLeastHeight);
     for (const int across : {(axis + 1) % 3, (axis + 2) % 3}) {
@@ -257,10 +257,10 @@ DerivedStock derive_bar(const cda::Box& swept, int axis, double radius) {
     return derived;
 }
 
-DerivedStock derive_block(const cda::Box& tips) {
+DerivedStock derive_block(const Box& tips) {
     DerivedStock derived;
     if (tips.is_empty()) return derived;
-    cda::Box box = tips;
+    Box box = tips;
     for (int axis = 0; axis < 3; ++axis)
         widen(box, axis);
     derived.stock.box = box;

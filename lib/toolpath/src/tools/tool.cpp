@@ -3,7 +3,7 @@
 // Shapes of tools as profiles, and slices and dimensions of tools.
 #include "ncsim/toolpath/tool.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ Tool cone(ToolKind kind, double diameter, double tip_diameter, double included_a
     const double r = diameter / 2;
     const double tip = std::min(tip_diameter / 2, r);
     const double half_angle = std::clamp(included_angle, 1.0, 179.0) / 2;
-    const double rise = (r - tip) / trig::tangent(half_angle);
+    const double rise = (r - tip) / tangent(half_angle);
     std::vector<ProfilePoint> profile{{tip, 0, 0}};
     if (rise > 0) profile.push_back({r, rise, 0});
     if (length > rise) profile.push_back({r, length, 0});
@@ -105,7 +105,7 @@ Tool drill(double diameter, double point_angle, double length) {
 
 Tool tapered_end_mill(double tip_diameter, double corner_radius, double taper, double length) {
     const double angle = std::clamp(taper, 0.0, 89.0);
-    const trig::SinCos a = trig::sin_cos(angle);
+    const SinCos a = sin_cos(angle);
     const double fillet = std::min(corner_radius, tip_diameter / 2);
     // Corner between cone and floor without rounding. The arc keeps its radius and its centre, (tip
     // radius - fillet, fillet).
@@ -121,7 +121,7 @@ Tool slot_mill(double diameter, double corner_radius, double length) {
 
 Tool dovetail_mill(double diameter, double taper, double length) {
     const double r = diameter / 2;
-    const double slope = trig::tangent(std::clamp(taper, 0.0, 80.0));
+    const double slope = tangent(std::clamp(taper, 0.0, 80.0));
     // The upper end keeps a positive radius.
     const double height = slope > 0 ? std::min(length, 0.95 * r / slope) : length;
     return make_one_piece_tool(ToolKind::DovetailMill,
@@ -138,15 +138,14 @@ Tool corner_rounding_mill(double diameter, double tip_diameter, double radius, d
     const double tip = std::min(tip_diameter / 2, r);
     // The arc turns from upright at the tip to level, or ends at the diameter.
     const double reach = std::min(radius, r - tip);
-    const double end = reach < radius
-                           ? trig::angle_of(radius - reach, std::sqrt(reach * (2 * radius - reach)))
-                           : 90.0;
+    const double end =
+        reach < radius ? angle_of(radius - reach, std::sqrt(reach * (2 * radius - reach))) : 90.0;
     // A chord over the angle 2x is rho (1 - cos x) off its arc, about rho x²/2.
     const double step = 2 * std::sqrt(2 * kConcaveChord / radius) * 57.29;  // degrees
     const int steps = std::clamp(static_cast<int>(std::ceil(end / step)), 1, 90);
     const auto point_at = [&](int k) -> ProfilePoint {
         if (k == 0) return {tip, 0.0, 0.0};
-        const trig::SinCos a = trig::sin_cos(end * k / steps);
+        const SinCos a = sin_cos(end * k / steps);
         const double out = k == steps ? reach : radius * (1 - a.cos);
         return {tip + out, k == steps && end == 90.0 ? radius : radius * a.sin, 0.0};
     };
@@ -206,7 +205,7 @@ std::vector<Corner> polyline_of(const ToolPiece& piece) {
         const Corner d2 = unit(after - at);
         const double cosine = d1.radius * d2.radius + d1.height * d2.height;
         const double sine = d1.radius * d2.height - d1.height * d2.radius;
-        const double turn = trig::angle_of(cosine, sine);
+        const double turn = angle_of(cosine, sine);
         const Corner start = at - (rho * sine / (1 + cosine)) * d1;
         const Corner out{d1.height, -d1.radius};  // from the centre to the start
         const Corner centre = start - rho * out;
@@ -214,7 +213,7 @@ std::vector<Corner> polyline_of(const ToolPiece& piece) {
         const double step = 2 * std::sqrt(2 * kChord / rho) * 57.29;  // degrees
         const int steps = std::clamp(static_cast<int>(std::ceil(turn / step)), 2, 1000);
         for (int k = 0; k <= steps; ++k) {
-            const trig::SinCos a = trig::sin_cos(turn * k / steps);
+            const SinCos a = sin_cos(turn * k / steps);
             const Corner away = a.cos * out + a.sin * d1;
             line.push_back(centre + rho * away);
         }

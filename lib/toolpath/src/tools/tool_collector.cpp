@@ -20,7 +20,7 @@ void Collector::add_remark(const gcode::MessageText& message, gcode::SourceSpan 
     diagnostics_.push_back(std::move(d));
 }
 
-void Collector::keep(ToolSpec spec, cda::Vec3 offset, gcode::SourceSpan span, std::string text) {
+void Collector::keep(ToolSpec spec, Vec3 offset, gcode::SourceSpan span, std::string text) {
     const std::string number = std::to_string(spec.number);
     if (find_tool(tools_, spec.number)) return add_remark(Message::ToolTwice, span, {number});
     if (!is_complete(spec)) return add_remark(Message::NoDiameter, span, {number});

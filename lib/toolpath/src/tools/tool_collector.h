@@ -26,7 +26,7 @@ public:
 
     /// Adds a tool; with a warning instead if there is one of this number, or if `spec` is not
     /// complete.
-    void keep(ToolSpec spec, cda::Vec3 offset, gcode::SourceSpan span, std::string text);
+    void keep(ToolSpec spec, Vec3 offset, gcode::SourceSpan span, std::string text);
 
 private:
     std::vector<ToolEntry>& tools_;

@@ -44,11 +44,11 @@ std::optional<Quantity> value_after(std::string_view s, std::string_view key,
 int tool_number_at(std::string_view s, std::size_t at) {
     std::size_t end = at;
     int number = 0;
-    while (end < s.size() && text::is_digit(s[end]) && number < 10000000) {
+    while (end < s.size() && is_digit(s[end]) && number < 10000000) {
         number = 10 * number + (s[end++] - '0');
     }
-    const bool whole = end > at && (end == s.size() ||
-                                    (s[end] != '.' && s[end] != '/' && !text::is_digit(s[end])));
+    const bool whole =
+        end > at && (end == s.size() || (s[end] != '.' && s[end] != '/' && !is_digit(s[end])));
     return whole ? number : 0;
 }
 
@@ -86,7 +86,7 @@ std::optional<ToolRemark> read_fusion(std::string_view s) {
     const auto diameter = text::quantity_at(s, d + 3);
     const std::size_t type = s.rfind(" - ");
     if (!diameter || type == kNone || type < d) return std::nullopt;
-    const bool numbered = s[0] == 'T' && s.size() > 1 && text::is_digit(s[1]);
+    const bool numbered = s[0] == 'T' && s.size() > 1 && is_digit(s[1]);
     if (!numbered && s[0] != '"') return std::nullopt;
     ToolRemark remark;
     remark.certain = true;
@@ -116,7 +116,7 @@ std::vector<double> numbers_after_comma(std::string_view s) {
     std::vector<double> values;
     const auto parts = text::split(s, ',');
     for (std::size_t i = 1; i < parts.size(); ++i) {
-        const std::string_view part = text::trimmed(parts[i]);
+        const std::string_view part = trimmed(parts[i]);
         const auto q = text::quantity_at(part, 0);
         if (!q) break;
         values.push_back(q->value);
@@ -134,7 +134,7 @@ std::optional<ToolRemark> read_cutviewer(std::string_view s) {
     ToolRemark remark;
     remark.certain = true;
     ToolSpec& spec = remark.spec;
-    const std::string_view name = text::trimmed(s.substr(5, s.find(',') - 5));
+    const std::string_view name = trimmed(s.substr(5, s.find(',') - 5));
     const std::vector<double> v = numbers_after_comma(s);
     spec.diameter = positive(v, 0);
     if (!spec.diameter) return std::nullopt;
@@ -223,13 +223,13 @@ std::optional<ToolRemark> read_kiri(std::string_view s) {
 
 // Reads ( T01 | 0.610mm 0.0240in | 0.0000in | 0.0000in | 0 ), a row of pcb-gcode's drill table.
 std::optional<ToolRemark> read_drill_table(std::string_view s) {
-    if (s[0] != 'T' || s.size() < 2 || !text::is_digit(s[1])) return std::nullopt;
+    if (s[0] != 'T' || s.size() < 2 || !is_digit(s[1])) return std::nullopt;
     const auto cells = text::split(s, '|');
     if (cells.size() < 3) return std::nullopt;
     ToolRemark remark;
     remark.certain = true;
-    remark.spec.number = tool_number_at(text::trimmed(cells[0]), 1);
-    const auto size = text::quantity_at(text::trimmed(cells[1]), 0);
+    remark.spec.number = tool_number_at(trimmed(cells[0]), 1);
+    const auto size = text::quantity_at(trimmed(cells[1]), 0);
     if (remark.spec.number == 0 || !size || size->value <= 0.0) return std::nullopt;
     if (size->unit != Unit::Millimetre && size->unit != Unit::Inch) return std::nullopt;
     remark.spec.kind = ToolKind::Drill;
@@ -351,7 +351,7 @@ std::optional<Triple> zero_named(std::string_view s) {
             continue;
         }
         std::size_t end = at;
-        while (end < s.size() && (text::is_letter(s[end]) || text::is_digit(s[end])))
+        while (end < s.size() && (text::is_letter(s[end]) || is_digit(s[end])))
             ++end;
         const std::string_view word = s.substr(at, end - at);
         at = end;
@@ -374,7 +374,7 @@ std::optional<Triple> zero_named(std::string_view s) {
         } else if (word == "TOP" || word == "BOTTOM") {
             t.value.z = word == "TOP" ? 1.0 : -1.0;
             has_height = true;
-        } else if (word.size() > 1 && word[0] == 'G' && text::is_digit(word[1])) {
+        } else if (word.size() > 1 && word[0] == 'G' && is_digit(word[1])) {
             if (word.substr(0, 2) != "G5") return std::nullopt;  // G54 … G59
         } else if (!is_one_of(kFillers)) {
             return std::nullopt;
@@ -400,7 +400,7 @@ std::optional<Triple> triple_at(std::string_view s) {
     if (parts.size() < 3) return std::nullopt;
     Triple t;
     for (int axis = 0; axis < 3; ++axis) {
-        const std::string_view part = text::trimmed(parts[static_cast<std::size_t>(axis)]);
+        const std::string_view part = trimmed(parts[static_cast<std::size_t>(axis)]);
         const auto q = text::quantity_at(part, 0);
         if (!q || std::abs(q->value) > 1e6) return std::nullopt;
         t.value[axis] = q->value;
@@ -412,14 +412,14 @@ std::optional<Triple> triple_at(std::string_view s) {
 }  // namespace
 
 std::optional<ToolRemark> read_tool_remark(std::string_view comment) {
-    const std::string upper = text::upper(text::trimmed(comment));
+    const std::string upper = uppercase(trimmed(comment));
     if (upper.size() < 3) return std::nullopt;
     for (const auto& form :
          {read_fusion, read_cutviewer, read_piped, read_kiri, read_drill_table, read_tool_phrase}) {
         if (auto remark = form(upper)) {
             // FreeCAD writes this comment in mm, whatever the unit of the program.
             if (upper.starts_with("COMPENSATED TOOL PATH")) remark->unit = Unit::Millimetre;
-            remark->spec.description = std::string(text::trimmed(comment));
+            remark->spec.description = std::string(trimmed(comment));
             return remark;
         }
     }
@@ -427,7 +427,7 @@ std::optional<ToolRemark> read_tool_remark(std::string_view comment) {
 }
 
 std::optional<StockRemark> read_stock_remark(std::string_view comment) {
-    const std::string upper = text::upper(text::trimmed(comment));
+    const std::string upper = uppercase(trimmed(comment));
     const std::string_view s = upper;
     StockRemark remark;
     const auto starts = [s](std::string_view key) { return s.substr(0, key.size()) == key; };
@@ -474,7 +474,7 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment) {
     }
     if (starts("MATERIAL ORIGIN:")) {
         const auto origin = named_triple(s.substr(16));
-        const bool at_corner = origin && origin->value == cda::Vec3{};
+        const bool at_corner = origin && origin->value == Vec3{};
         remark.what = at_corner ? What::ZeroXY : What::Elsewhere;
         remark.first.value = {-1, -1, 0};
         return remark;
@@ -492,7 +492,7 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment) {
     for (const auto& [key, what] :
          {std::pair{"BLK FORM 0.1", What::Min}, {"BLK FORM 0.2", What::Max}}) {
         if (!starts(key)) continue;
-        std::string_view corner = text::trimmed(s.substr(12));
+        std::string_view corner = trimmed(s.substr(12));
         if (corner.substr(0, 2) == "Z ") corner.remove_prefix(2);  // axis of the tool
         const auto at = named_triple(corner);
         if (!at) return std::nullopt;
@@ -537,7 +537,7 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment) {
 }
 
 std::optional<Triple> read_size_remark(std::string_view comment) {
-    const std::string upper = text::upper(text::trimmed(comment));
+    const std::string upper = uppercase(trimmed(comment));
     return upper.empty() || upper.front() != 'X' ? std::nullopt : named_size(upper);
 }
 
@@ -550,18 +550,18 @@ std::optional<KeyedRemark> read_keyed_remark(std::string_view comment) {
         {"CORNER RADIUS", Key::TipRadius},  {"TAPER ANGLE", Key::Taper},
         {"TOOL TYPE", Key::ToolType},       {"SHAPE", Key::ToolType},
         {"TORUS_RADIUS", Key::TorusRadius}, {"TOOL_RADIUS", Key::Diameter}};
-    const std::string upper = text::upper(text::trimmed(comment));
+    const std::string upper = uppercase(trimmed(comment));
     const std::string_view s = upper;
     const std::size_t colon = s.find_first_of(":=");
     if (colon == kNone) return std::nullopt;
-    const std::string_view key = text::trimmed(s.substr(0, colon));
+    const std::string_view key = trimmed(s.substr(0, colon));
     const bool is_radius = key == "TOOL_RADIUS";
     const bool of_pycam = is_radius || key == "SHAPE" || key == "TORUS_RADIUS";
     if (of_pycam != (s[colon] == '=')) return std::nullopt;
     const auto* found = std::find_if(std::begin(kKeys), std::end(kKeys),
                                      [key](const auto& k) { return k.first == key; });
     if (found == std::end(kKeys)) return std::nullopt;
-    const std::string_view rest = text::trimmed(s.substr(colon + 1));
+    const std::string_view rest = trimmed(s.substr(colon + 1));
     KeyedRemark remark{found->second, 0.0, Unit::None, std::nullopt};
     if (remark.key == Key::ToolType) {
         remark.kind = words::kind_named(rest);

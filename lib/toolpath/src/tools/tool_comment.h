@@ -3,7 +3,7 @@
 // Forms of comments with a tool or a stock, with a function per form.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/toolpath/tool_spec.h"
 
 #include "tools/comment_text.h"
@@ -19,7 +19,7 @@ std::optional<ToolRemark> read_tool_remark(std::string_view comment);
 
 /// A corner or a size with a unit.
 struct Triple {
-    cda::Vec3 value;
+    Vec3 value;
     text::Unit unit = text::Unit::None;
 };
 

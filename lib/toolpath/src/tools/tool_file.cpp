@@ -3,7 +3,7 @@
 // Readers of tool tables: LinuxCNC, CSV, and JSON of CAMotics, Fusion and Kiri:Moto.
 #include "ncsim/toolpath/tool_file.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "tools/comment_text.h"
 #include "tools/csv_tools.h"
@@ -28,14 +28,14 @@ constexpr double kMostTools = 1e8;
 // Reads a line: T1 P1 Z0.511 D0.125 ;1/8 end mill. False if the line has another form.
 bool read_table_line(std::string_view line, std::uint32_t number, double unit, Collector& out) {
     const std::size_t semicolon = line.find(';');
-    const std::string words = text::upper(line.substr(0, semicolon));
+    const std::string words = uppercase(line.substr(0, semicolon));
     const std::string_view remark = semicolon == std::string_view::npos
                                         ? std::string_view()
-                                        : text::trimmed(line.substr(semicolon + 1));
-    std::string_view rest = text::trimmed(words);
+                                        : trimmed(line.substr(semicolon + 1));
+    std::string_view rest = trimmed(words);
     if (rest.empty()) return true;
     ToolSpec spec;
-    cda::Vec3 offset;
+    Vec3 offset;
     bool has_tool = false;
     bool has_pocket = false;
     std::optional<double> diameter;
@@ -58,14 +58,14 @@ bool read_table_line(std::string_view line, std::uint32_t number, double unit, C
             case 'Z': offset.z = unit * value.value; break;
             default: break;  // further axes; angles and orientation of lathe tools
         }
-        rest = text::trimmed(rest.substr(end));
+        rest = trimmed(rest.substr(end));
     }
     if (!has_tool || !has_pocket) return false;
     if (diameter && *diameter > 0) spec.diameter = diameter;
     take_kind(remark, spec);
     spec.description = std::string(remark);
     const auto length = static_cast<std::uint32_t>(std::min<std::size_t>(line.size(), 1000));
-    out.keep(std::move(spec), offset, {number, 1, length}, std::string(text::trimmed(line)));
+    out.keep(std::move(spec), offset, {number, 1, length}, std::string(trimmed(line)));
     return true;
 }
 
@@ -75,7 +75,7 @@ void read_table(const gcode::SourceFile& file, double unit, ToolFile& result) {
     bool any = false;
     for (std::string_view line : text::split(file.text, '\n')) {
         ++number;
-        line = text::trimmed(line);
+        line = trimmed(line);
         if (line.empty() || line.front() == ';') continue;
         if (!read_table_line(line, number, unit, out)) {
             return out.add_remark(any ? Message::NoTableLine : Message::NoTable, {number, 1, 0});
@@ -125,14 +125,14 @@ int tool_number(std::optional<double> number) {
 }
 
 bool is_imperial(const std::string& units) {
-    const std::string upper = text::upper(units);
+    const std::string upper = uppercase(units);
     return upper == "IMPERIAL" || upper == "INCH" || upper == "INCHES" || upper == "IN";
 }
 
 // Returns the included angle, degrees, of a cone of this diameter and height. Rounding to 1e-9
 // restores whole numbers.
 double angle_of_cone(double diameter, double height) {
-    const double degrees = 2 * trig::angle_of(height, diameter / 2);
+    const double degrees = 2 * angle_of(height, diameter / 2);
     return std::round(degrees * 1e9) / 1e9;
 }
 
@@ -143,7 +143,7 @@ void read_camotics_tool(int number, const Json& json, Collector& out) {
     spec.diameter = scaled(positive_of(json, "diameter"), unit);
     spec.length = scaled(positive_of(json, "length"), unit);
     spec.description = text_of(json, "description");
-    const std::string shape = text::upper(text_of(json, "shape"));
+    const std::string shape = uppercase(text_of(json, "shape"));
     const auto unknown = [&] {
         out.add_remark(Message::ShapeUnknown, {},
                        {std::to_string(number), text::quoted(text_of(json, "shape"))});
@@ -185,10 +185,10 @@ bool read_camotics(const Json& json, ToolFile& result, Collector& out) {
     }
     const Json& workpiece = member(json, "workpiece");
     const Json& bounds = member(workpiece, "bounds");
-    const auto corner = [&bounds](const char* key) -> std::optional<cda::Vec3> {
+    const auto corner = [&bounds](const char* key) -> std::optional<Vec3> {
         const auto found = bounds.find(key);
         if (found == bounds.end() || !found->is_array() || found->size() != 3) return std::nullopt;
-        cda::Vec3 v;
+        Vec3 v;
         for (int axis = 0; axis < 3; ++axis) {
             const Json& value = (*found)[static_cast<std::size_t>(axis)];
             if (!value.is_number() || !(std::abs(value.get<double>()) < 1e6)) return std::nullopt;
@@ -203,9 +203,9 @@ bool read_camotics(const Json& json, ToolFile& result, Collector& out) {
     const bool is_automatic =
         automatic != workpiece.end() && automatic->is_boolean() && automatic->get<bool>();
     if (min && max && !is_automatic) {
-        cda::Box box;
+        Box box;
         box.add(*min), box.add(*max);
-        const cda::Vec3 size = box.size();
+        const Vec3 size = box.size();
         if (size.x > 0 && size.y > 0 && size.z > 0) {
             result.stock = StockEntry{{box}, ValueSource::Table, {}, "the workpiece"};
         }
@@ -238,7 +238,7 @@ std::optional<ToolKind> fusion_kind(const std::string& type) {
         {"RADIUS MILL", ToolKind::CornerRoundingMill},
         {"ENGRAVE", ToolKind::VCutter},
         {"ENGRAVER", ToolKind::VCutter}};
-    const std::string upper = text::upper(type);
+    const std::string upper = uppercase(type);
     for (const auto& [name, kind] : kKinds) {
         if (name == upper) return kind;
     }
@@ -286,7 +286,7 @@ void read_fusion_assembly(const Json& json, const Json& g, double unit, ToolSpec
 void read_fusion_tool(const Json& json, Collector& out) {
     const int number = tool_number(number_of(member(json, "post-process"), "number"));
     const std::string type = text_of(json, "type");
-    if (number == 0 || text::upper(type) == "HOLDER" || text::upper(type) == "PROBE") return;
+    if (number == 0 || uppercase(type) == "HOLDER" || uppercase(type) == "PROBE") return;
     const double unit = is_imperial(text_of(json, "unit")) ? 25.4 : 1.0;
     const Json& g = member(json, "geometry");
     ToolSpec spec;
@@ -303,7 +303,7 @@ void read_fusion_tool(const Json& json, Collector& out) {
     spec.tip_diameter = scaled(positive_of(g, "tip-diameter"), unit);
     if (spec.kind == ToolKind::Tap) {
         spec.pitch = scaled(positive_of(g, "TP"), unit);
-        spec.left_hand = text::upper(type) == "TAP LEFT HAND";
+        spec.left_hand = uppercase(type) == "TAP LEFT HAND";
     }
     if (spec.kind == ToolKind::Drill) spec.angle = positive_of(g, "SIG");
     if (is_conical(spec.kind)) {
@@ -327,7 +327,7 @@ void read_kiri_tool(const Json& json, Collector& out) {
     const auto metric = json.find("metric");
     const bool is_metric = metric == json.end() || !metric->is_boolean() || metric->get<bool>();
     const double unit = is_metric ? 1.0 : 25.4;
-    const std::string type = text::upper(text_of(json, "type"));
+    const std::string type = uppercase(text_of(json, "type"));
     ToolSpec spec;
     spec.number = tool_number(number_of(json, "number"));
     spec.description = text_of(json, "name");

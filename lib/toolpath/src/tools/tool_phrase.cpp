@@ -614,14 +614,14 @@ private:
 
 std::optional<ToolRemark> read_tool_phrase(std::string_view comment) {
     if (comment.size() > words::kLongest) return std::nullopt;
-    std::string plain = words::plain_upper(text::trimmed(comment));
+    std::string plain = words::plain_upper(trimmed(comment));
     std::string_view s = plain;
     const bool digits = s.find_first_of("0123456789") != std::string_view::npos;
     if (!digits && s.find("DRILL") == std::string_view::npos) return std::nullopt;
     for (const std::string_view log : {"DEBUG", "PRINT", "LOG,", "AXIS,", "PROBE"}) {
         if (s.substr(0, log.size()) == log) return std::nullopt;
     }
-    if (s.substr(0, 4) == "MSG," || s.substr(0, 4) == "MSG:") s = text::trimmed(s.substr(4));
+    if (s.substr(0, 4) == "MSG," || s.substr(0, 4) == "MSG:") s = trimmed(s.substr(4));
     if (s.empty() || s.front() == '=') return std::nullopt;
     return Phrase(words::tokens_of(s)).read();
 }

@@ -125,7 +125,7 @@ void add_assembly(Tool& tool, const ToolSpec& spec) {
     }
 }
 
-double angle_of(const ToolSpec& spec, ToolKind kind) {
+double tip_angle_of(const ToolSpec& spec, ToolKind kind) {
     return spec.angle.value_or(kind == ToolKind::Drill ? 118.0 : 90.0);
 }
 
@@ -146,11 +146,12 @@ Tool shape_tool(const ToolSpec& spec, double length) {
         case ToolKind::VCutter:
         case ToolKind::ChamferMill:
         case ToolKind::Countersink: {
-            Tool tool = v_cutter(d, spec.tip_diameter.value_or(0.0), angle_of(spec, kind), length);
+            Tool tool =
+                v_cutter(d, spec.tip_diameter.value_or(0.0), tip_angle_of(spec, kind), length);
             tool.kind = kind;
             return tool;
         }
-        case ToolKind::Drill: return drill(d, angle_of(spec, kind), length);
+        case ToolKind::Drill: return drill(d, tip_angle_of(spec, kind), length);
         case ToolKind::TaperedEndMill:
             return tapered_end_mill(d, corner, spec.taper.value_or(0.0), length);
         case ToolKind::SlotMill: return slot_mill(d, corner, length);
@@ -322,7 +323,7 @@ ToolSpec filled(const ToolSpec& spec, double assumed_length) {
         if (*result.kind != ToolKind::CornerRoundingMill) assume("diameter");
     }
     if (*result.kind == ToolKind::Drill || is_conical(result.kind)) {
-        result.angle = angle_of(spec, *result.kind);
+        result.angle = tip_angle_of(spec, *result.kind);
         if (!spec.angle) assume("angle");
     }
     if (*result.kind == ToolKind::DovetailMill && !spec.taper) {
@@ -422,7 +423,7 @@ std::string assumed_values_text(const ToolSpec& spec, double assumed_length) {
         add("diameter " + text::number(diameter_of(spec)) + " mm");
     if (kind == ToolKind::Other) add("the shape of a flat end mill");
     if ((kind == ToolKind::Drill || is_conical(kind)) && !part.angle) {
-        add("angle " + text::number(angle_of(spec, kind)) + " deg");
+        add("angle " + text::number(tip_angle_of(spec, kind)) + " deg");
     }
     if (kind == ToolKind::DovetailMill && !part.taper)
         add("taper " + text::number(spec.taper.value_or(kDovetailTaper)) + " deg");
@@ -567,7 +568,7 @@ private:
     // Reads H28x15,40x25 or H20-32x10.
     std::string read_holder(std::string_view part) {
         for (std::string_view step : text::split(part.substr(1), ',')) {
-            step = text::trimmed(step);
+            step = trimmed(step);
             std::size_t at = 0;
             ToolSegment segment;
             const auto lower = number_at(step, at);
@@ -599,7 +600,7 @@ double dovetail_taper(double degrees) {
 }
 
 std::optional<ToolSpec> parse_tool_option(std::string_view option, std::string& message) {
-    const std::string upper = text::upper(option);
+    const std::string upper = uppercase(option);
     const std::string_view s = upper;
     const auto refuse = [&](std::string_view why) {
         message = text::quoted(option) + ": ";
@@ -607,7 +608,7 @@ std::optional<ToolSpec> parse_tool_option(std::string_view option, std::string& 
         return std::nullopt;
     };
     const std::size_t equals = s.find('=');
-    std::string_view number = text::trimmed(s.substr(0, equals));
+    std::string_view number = trimmed(s.substr(0, equals));
     if (!number.empty() && number.front() == 'T') number.remove_prefix(1);
     const auto tool = text::quantity_at(number, 0);
     if (equals == std::string_view::npos || !tool || tool->end != number.size() ||
@@ -616,10 +617,10 @@ std::optional<ToolSpec> parse_tool_option(std::string_view option, std::string& 
     }
     ToolSpec spec;
     spec.number = static_cast<int>(tool->value);
-    spec.description = std::string(text::trimmed(option.substr(equals + 1)));
+    spec.description = std::string(trimmed(option.substr(equals + 1)));
     OptionReader reader(spec);
     for (const std::string_view part : text::split(s.substr(equals + 1), ':')) {
-        const std::string why = reader.read(text::trimmed(part));
+        const std::string why = reader.read(trimmed(part));
         if (!why.empty()) return refuse(why);
     }
     if (const std::string why = reader.finish(); !why.empty()) return refuse(why);

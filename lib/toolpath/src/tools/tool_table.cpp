@@ -118,19 +118,19 @@ public:
             const auto in_mm = [this](const Triple& t) {
                 return factor(t.unit, inches_first_) * t.value;
             };
-            const cda::Vec3 size = in_mm(block_->first);
-            const cda::Vec3 min = cda::Vec3{} - in_mm(block_->second);
+            const Vec3 size = in_mm(block_->first);
+            const Vec3 min = Vec3{} - in_mm(block_->second);
             set_stock({min, min + size}, block_span_, block_text_);
         } else if (min_ && max_) {
-            cda::Box box;
+            Box box;
             box.add(factor(min_->unit, inches_first_) * min_->value);
             box.add(factor(max_->unit, inches_first_) * max_->value);
             set_stock(box, block_span_, block_text_);
         } else if (size_ && !size_is_elsewhere_) {
             // Vectric's default zero, unless specified: the lower left corner, on top.
-            const cda::Vec3 size = factor(size_->unit, inches_first_) * size_->value;
-            cda::Vec3 min{(-1 - zero_xy_.x) / 2 * size.x, (-1 - zero_xy_.y) / 2 * size.y,
-                          zero_at_bed_ ? 0.0 : -size.z};
+            const Vec3 size = factor(size_->unit, inches_first_) * size_->value;
+            Vec3 min{(-1 - zero_xy_.x) / 2 * size.x, (-1 - zero_xy_.y) / 2 * size.y,
+                     zero_at_bed_ ? 0.0 : -size.z};
             set_stock({min, min + size}, block_span_, block_text_);
             if (notes_.stock) notes_.stock->place_assumed = !zero_specified_;
         }
@@ -156,7 +156,7 @@ private:
                 return true;
             }
         }
-        const std::string heading = text::upper(text::trimmed(comment.text));
+        const std::string heading = uppercase(trimmed(comment.text));
         if (heading == "REQUIRED TOOLS:") {
             in_list_ = true;
             return true;
@@ -346,8 +346,8 @@ private:
         }
     }
 
-    void set_stock(const cda::Box& box, gcode::SourceSpan span, const std::string& text) {
-        const cda::Vec3 size = box.size();
+    void set_stock(const Box& box, gcode::SourceSpan span, const std::string& text) {
+        const Vec3 size = box.size();
         if (!text::is_sane_length(size.x) || !text::is_sane_length(size.y) ||
             !text::is_sane_length(size.z)) {
             notes_.diagnostics.push_back(gcode::diagnostic_of(Message::StockSize, span));
@@ -365,7 +365,7 @@ private:
     std::optional<StockRemark> block_;
     std::optional<Triple> min_, max_, start_;
     std::optional<Triple> size_;  // without a position: Vectric, Kiri:Moto
-    cda::Vec3 zero_xy_{-1, -1, 0};
+    Vec3 zero_xy_{-1, -1, 0};
     bool zero_at_bed_ = false;
     bool zero_specified_ = false;
     bool size_is_elsewhere_ = false;
@@ -393,8 +393,8 @@ std::optional<StockEntry> cylinder_of(const gcode::SourceFile& program) {
         return std::nullopt;
     StockEntry entry;
     const double radius = found->radius.mm();
-    cda::Vec3 min{-radius, -radius, -radius};
-    cda::Vec3 max{radius, radius, radius};
+    Vec3 min{-radius, -radius, -radius};
+    Vec3 max{radius, radius, radius};
     min[found->axis] = found->top.mm() - found->length.mm();
     max[found->axis] = found->top.mm();
     entry.box = {min, max};

@@ -316,8 +316,8 @@ std::vector<Token> cut(std::string_view s) {
         if (!tokens.empty()) tokens.back().joined_right = !blank_before;
         blank_before = false;
         std::size_t end = at + 1;
-        const bool digit = text::is_digit(s[at]) ||
-                           (s[at] == '.' && at + 1 < s.size() && text::is_digit(s[at + 1]));
+        const bool digit =
+            is_digit(s[at]) || (s[at] == '.' && at + 1 < s.size() && is_digit(s[at + 1]));
         if (digit) {
             token.form = Token::Form::Number;
             // TOOL 1 1/2 is tool 1 and half an inch.
@@ -327,14 +327,14 @@ std::vector<Token> cut(std::string_view s) {
             const bool counts = follows("TOOL") || follows("T") || follows("NO") || follows("#");
             std::size_t whole = s.find_first_not_of("0123456789", at);
             const bool two = whole < s.size() && whole + 1 < s.size() && s[whole] == ' ' &&
-                             (text::is_digit(s[whole + 1]) || s[whole + 1] == '.');
+                             (is_digit(s[whole + 1]) || s[whole + 1] == '.');
             if (!counts || !two) whole = std::string_view::npos;
             const auto quantity = text::quantity_at(s.substr(0, whole), at);
             if (!quantity) break;  // too many digits for a number
             token.quantity = *quantity;
             end = token.quantity.end;
             // 6,35 has a decimal comma if it cannot be a list.
-            const bool comma = end + 1 < s.size() && s[end] == ',' && text::is_digit(s[end + 1]) &&
+            const bool comma = end + 1 < s.size() && s[end] == ',' && is_digit(s[end + 1]) &&
                                token.quantity.unit == Unit::None && !token.quantity.is_fraction &&
                                s.substr(at, end - at).find('.') == std::string_view::npos;
             if (comma) {
@@ -373,7 +373,7 @@ std::string plain_upper(std::string_view s) {
     for (std::size_t i = 0; i < s.size(); ++i) {
         auto byte = static_cast<unsigned char>(s[i]);
         if (byte < 0x80) {
-            result += text::upper(s.substr(i, 1));
+            result += uppercase(s.substr(i, 1));
             continue;
         }
         if (s.substr(i, 3) == "\xE2\x8C\x80") {  // diameter sign

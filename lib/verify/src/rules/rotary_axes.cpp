@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Rules about rotary axes: turns-while-clamped, singular-pose, path-deviation.
-#include "ncsim/cda/triangle_tree.h"
+#include "ncsim/base/triangle_tree.h"
 #include "ncsim/toolpath/kinematics.h"
 
 #include "finding_log.h"
@@ -37,7 +37,7 @@ void judge_singular_pose(const Setup& setup, const Move& move, FindingLog& log) 
     constexpr double kFar = 5.0, kHardly = 0.5;  // degrees
     if (turn <= kFar) return;
     const toolpath::Poses poses(setup.kinematics.get(), motion);
-    const cda::Vec3 before = axis_of(poses.at(from)), after = axis_of(poses.at(to));
+    const Vec3 before = axis_of(poses.at(from)), after = axis_of(poses.at(to));
     // A turn about the tool's own axis can be intended.
     if (before == after) return;
     const double leans = norm(after - before) * 180.0 / std::numbers::pi;
@@ -70,12 +70,12 @@ void judge_path_deviation(const Setup& setup, const Move& move, FindingLog& log)
     constexpr double kStep = 0.25, kMost = 100'000;
     const auto steps = static_cast<int>(std::clamp(std::ceil(turn / kStep), 2.0, kMost));
     const toolpath::Poses poses(setup.kinematics.get(), motion);
-    const cda::Vec3 from = poses.at(line->from).translation, to = poses.at(line->to).translation;
+    const Vec3 from = poses.at(line->from).translation, to = poses.at(line->to).translation;
     double farthest = 0.0;
     for (int i = 1; i < steps; ++i) {
         const double t = static_cast<double>(i) / steps;
-        const cda::Vec3 tip = poses.at(toolpath::interpolate(line->from, line->to, t)).translation;
-        farthest = std::max(farthest, cda::distance_to_segment(tip, from, to));
+        const Vec3 tip = poses.at(toolpath::interpolate(line->from, line->to, t)).translation;
+        farthest = std::max(farthest, distance_to_segment(tip, from, to));
     }
     if (farthest <= *setup.machine.path_deviation) return;
     Occurrence s{fmt::format("the tip leaves the straight line of its move by more than {:.6g} mm",

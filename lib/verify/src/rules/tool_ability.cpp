@@ -38,7 +38,7 @@ void judge_sideways(const Setup& setup, const Move& move, FindingLog& log) {
     if (!tool || move.motion->kind != MoveKind::Feed || !move.is_move || !move.meets_material ||
         !toolpath::is_axial(tool->tool.kind) || is_turned(*move.motion))
         return;
-    const auto is_aside = [](const cda::Vec3& way) {
+    const auto is_aside = [](const Vec3& way) {
         constexpr double kLeast = 1e-3;  // relative to the length of the path
         return way.x * way.x + way.y * way.y > kLeast * kLeast;
     };

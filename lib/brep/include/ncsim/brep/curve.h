@@ -3,15 +3,13 @@
 // Curves on which edges lie. mm, frame W.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <cstddef>
 #include <variant>
 #include <vector>
 
 namespace ncsim::brep {
-
-using cda::Vec3;
 
 /// Straight line between the ends of the edge.
 struct Line {

@@ -5,8 +5,8 @@
 // not measured. mm.
 #pragma once
 
+#include "ncsim/base/triangle_tree.h"
 #include "ncsim/brep/part.h"
-#include "ncsim/cda/triangle_tree.h"
 
 #include <cstdint>
 #include <optional>
@@ -88,7 +88,7 @@ struct Corner {
 struct Floor {
     double z = 0.0, area = 0.0;
     bool is_closed = false;  ///< True if walls rise from the whole outline.
-    cda::Box box;
+    Box box;
     std::vector<cda::Origin> origins;
 };
 
@@ -122,6 +122,6 @@ struct Features {
 /// triangles of a polyhedron of the part; it decides whether anything lies between two planes.
 /// Cost: O(n + p t) for n edges and p pairs of parallel planes, with t for a query of the
 /// triangles.
-Features features_of(const Part& part, const cda::TriangleTree& between);
+Features features_of(const Part& part, const TriangleTree& between);
 
 }  // namespace ncsim::brep

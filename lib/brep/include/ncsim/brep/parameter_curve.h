@@ -3,6 +3,7 @@
 // Edges in the parameters of surfaces, as files store both.
 #pragma once
 
+#include "ncsim/base/vec2.h"
 #include "ncsim/brep/part.h"
 #include "ncsim/brep/spline_surface.h"
 
@@ -17,7 +18,7 @@ namespace ncsim::brep {
 /// inside, as Spline. The parameter is that of the edge's curve in a file: mm for lines, radians
 /// for circles (from the start of the edge) and ellipses (from the major axis), knots for splines.
 struct ParameterCurve {
-    std::vector<std::array<double, 2>> points;
+    std::vector<Vec2> points;
     std::vector<double> knots;
 };
 
@@ -38,7 +39,7 @@ public:
     std::optional<ParameterCurve> curve_of(const Part& part, const Edge& edge) const;
 
 private:
-    using Place = std::array<double, 2>;
+    using Place = Vec2;
     // A point with the derivatives by both parameters.
     struct Point {
         Vec3 at, by_u, by_v;

@@ -3,7 +3,7 @@
 // Tool paths, and elements of tool profiles that move along them. mm, frame W.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <array>
 #include <functional>
@@ -12,8 +12,6 @@
 #include <vector>
 
 namespace ncsim::brep {
-
-using cda::Vec3;
 
 /// Tool at a time t, 0 at the start and 1 at the end: position of the tip and direction of the axis
 /// (unit), with the first and second derivatives by t.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Section of a part by a plane perpendicular to an axis of the program. mm.
+// Section of a part by a plane perpendicular to an axis of the program. mm. Points are those of a
+// drawing, which shows the plane Z = c from above (x is X, y is Y), Y = c from the front (x is X, y
+// is Z), X = c from the right (x is Y, y is Z).
 #pragma once
 
+#include "ncsim/base/vec2.h"
 #include "ncsim/brep/part.h"
 
 #include <cstdint>
@@ -26,38 +29,31 @@ std::optional<SectionPlane> parse_section_plane(std::string_view text);
 /// Returns the plane as text, such as "z=-4".
 std::string name_of(const SectionPlane& plane);
 
-/// Point of the drawing. The drawing shows the plane Z = c from above (u is X, v is Y), Y = c from
-/// the front (u is X, v is Z), X = c from the right (u is Y, v is Z).
-struct FlatPoint {
-    double u = 0.0, v = 0.0;
-    bool operator==(const FlatPoint&) const = default;
-};
-
 /// Straight piece.
 struct FlatLine {};
 /// Circular arc.
 struct FlatArc {
-    FlatPoint centre;
+    Vec2 centre;
     double radius = 0.0;
     bool is_ccw = true;
 };
 /// Elliptical arc.
 struct FlatEllipse {
-    FlatPoint centre, major;  ///< `major`: from the centre to the farthest point.
+    Vec2 centre, major;  ///< `major`: from the centre to the farthest point.
     double minor_radius = 0.0;
     bool is_ccw = true;
 };
 /// Polyline for curves of any other kind: intermediate points, so dense that the chords are within
 /// kChordsMm of the curve.
 struct FlatChords {
-    std::vector<FlatPoint> between;
+    std::vector<Vec2> between;
 };
 /// Largest distance between chords and curve, mm.
 inline constexpr double kChordsMm = 1e-3;
 
 /// Piece of an outline. A whole circle or ellipse ends where it starts.
 struct SectionPiece {
-    FlatPoint from, to;
+    Vec2 from, to;
     std::variant<FlatLine, FlatArc, FlatEllipse, FlatChords> curve;
     cda::Origin origin = cda::kStockOrigin;  ///< Motion that cut the face.
     bool is_facet = false;                   ///< True if the face is an unrecognised facet.

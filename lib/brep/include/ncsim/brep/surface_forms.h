@@ -3,8 +3,8 @@
 // Surfaces that a rotating tool leaves on a part, in the classes that CAD systems use. mm, frame W.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/brep/envelope.h"
-#include "ncsim/cda/vec.h"
 
 #include <array>
 #include <string_view>

@@ -3,8 +3,8 @@
 // Candidate surfaces as lines of text, for stock files, and their movement with the stock.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/brep/swept_surfaces.h"
-#include "ncsim/cda/vec.h"
 
 #include <array>
 #include <optional>

@@ -4,8 +4,8 @@
 // profile, and those of the tool at rest at the start and the end.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/brep/surface_forms.h"
-#include "ncsim/cda/vec.h"
 #include "ncsim/gcode/motion.h"
 #include "ncsim/toolpath/kinematics.h"
 #include "ncsim/toolpath/stock.h"
@@ -23,7 +23,7 @@ struct CandidateSurface {
     bool is_at_rest = false;  ///< True for surfaces of the tool in its first or last pose.
     /// Box around the part of the surface that the motion left, nearly, for surfaces that extend
     /// beyond that part. A face outside the box does not belong to this candidate.
-    std::optional<cda::Box> place{};
+    std::optional<Box> place{};
     /// Planes across the path at the start and the end of a piece of the path, with normals along
     /// the path. A facet belongs to the piece that contains its centroid.
     std::optional<std::array<Plane, 2>> ends{};

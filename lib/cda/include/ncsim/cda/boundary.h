@@ -3,8 +3,8 @@
 // The boundary of a part: planar faces with holes, each with the motion that cut the face.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/origin.h"
-#include "ncsim/cda/vec.h"
 
 #include <cstdint>
 #include <vector>

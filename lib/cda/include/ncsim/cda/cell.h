@@ -3,10 +3,10 @@
 // A convex body as input of the kernel: halfspaces and the motion that made the body.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/lattice.h"
 #include "ncsim/cda/origin.h"
 #include "ncsim/cda/plane.h"
-#include "ncsim/cda/vec.h"
 
 #include <cstddef>
 #include <cstdint>

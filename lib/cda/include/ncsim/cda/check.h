@@ -3,8 +3,8 @@
 // Checks of surfaces for tests and reports.
 #pragma once
 
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/mesh.h"
 
 #include <cstdint>
 

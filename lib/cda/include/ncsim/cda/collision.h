@@ -5,10 +5,10 @@
 // 5.2, corrected.
 #pragma once
 
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/flat.h"
-#include "ncsim/cda/mesh.h"
-#include "ncsim/cda/vec.h"
 
 #include <optional>
 

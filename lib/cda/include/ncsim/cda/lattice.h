@@ -4,7 +4,7 @@
 // planes are exact.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <cstdint>
 

@@ -4,8 +4,8 @@
 // halfspaces, and a vertex is the intersection of three planes; no other geometry is stored.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/lattice.h"
-#include "ncsim/cda/vec.h"
 
 #include <cstddef>
 #include <cstdint>

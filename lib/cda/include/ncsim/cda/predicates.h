@@ -20,9 +20,9 @@
 // For points outside the range the numbers are unbounded, and no law holds.
 #pragma once
 
-#include "ncsim/cda/int128.h"
+#include "ncsim/base/int128.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/plane.h"
-#include "ncsim/cda/vec.h"
 
 #include <cstdint>
 #include <optional>

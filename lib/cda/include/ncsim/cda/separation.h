@@ -5,9 +5,9 @@
 // 100 mm) neither a distance nor a common volume may be provable.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/lattice.h"
 #include "ncsim/cda/polytope.h"
-#include "ncsim/cda/vec.h"
 
 #include <cstdint>
 #include <optional>

@@ -4,9 +4,9 @@
 // convex, such as castings or the result of a previous program.
 #pragma once
 
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/lattice.h"
-#include "ncsim/cda/mesh.h"
 #include "ncsim/cda/polytope.h"
 
 #include <array>

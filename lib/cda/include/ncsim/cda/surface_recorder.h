@@ -4,8 +4,8 @@
 // stored once, with the states between which the piece exists.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/origin.h"
-#include "ncsim/cda/vec.h"
 
 #include <array>
 #include <cstddef>

@@ -3,8 +3,8 @@
 // The sweep of a round body, for models that use the sweep directly instead of a polytope.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/origin.h"
-#include "ncsim/cda/vec.h"
 
 namespace ncsim::cda {
 

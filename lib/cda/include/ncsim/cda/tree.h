@@ -19,9 +19,12 @@
 #include <unordered_map>
 #include <vector>
 
+namespace ncsim {
+class Background;
+}
+
 namespace ncsim::cda {
 
-class Background;
 struct Block;
 class NormalsPool;
 struct QueryPoint;

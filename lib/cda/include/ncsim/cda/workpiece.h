@@ -5,12 +5,12 @@
 // (CstaWpModel): create, subtract, render, clone.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/lattice.h"
 #include "ncsim/cda/surface_recorder.h"
 #include "ncsim/cda/sweep.h"
-#include "ncsim/cda/vec.h"
 
 #include <cstdint>
 #include <iosfwd>

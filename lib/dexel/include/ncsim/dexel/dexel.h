@@ -43,7 +43,7 @@ inline double default_resolution(double longest) {
 
 /// Returns the finest possible resolution for stock of this size, mm. Finer resolutions exceed the
 /// limit of two million rays.
-double finest_resolution(cda::Vec3 size);
+double finest_resolution(Vec3 size);
 
 /// Workpiece model of rays. Walls and slots between rays may be missing. On a ray, the surface is
 /// exact to a lattice unit: the surface of the round tool (cda::RoundSweep), or of the polytope of
@@ -84,7 +84,7 @@ public:
     /// Returns triangles; the origin of each is the motion that left an end of a ray on one side.
     cda::Boundary boundary() const override;
     /// Decided by the nearest ray along z.
-    bool contains(cda::Vec3 point) const override;
+    bool contains(Vec3 point) const override;
 
     /// Returns the largest distance of adjacent rays, mm.
     double resolution() const;

@@ -3,7 +3,7 @@
 // Position and direction from which a picture is taken.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <optional>
 #include <string_view>
@@ -25,8 +25,8 @@ enum class Projection { Orthographic, Perspective };
 /// Position, direction and size of a picture. `right`, `up` and `back` (towards the eye) are
 /// orthogonal unit vectors in the workpiece frame W. Lengths are in mm.
 struct Camera {
-    cda::Vec3 target;  ///< The centre of the picture.
-    cda::Vec3 right{1, 0, 0}, up{0, 0, 1}, back{0, -1, 0};
+    Vec3 target;  ///< The centre of the picture.
+    Vec3 right{1, 0, 0}, up{0, 0, 1}, back{0, -1, 0};
     double height = 1.0;    ///< Visible height at the target.
     double distance = 0.0;  ///< Distance of the eye from the target; 0: orthographic.
     /// Bound for the depth of visible points relative to the target, to the front and back.
@@ -41,7 +41,7 @@ struct Camera {
 /// box, or a box that is a point, counts as a box of 1 mm around that point.
 /// Guarantees: the same bits on every machine, because the computation needs no trigonometric
 ///     function.
-Camera fit_camera(const cda::Box& box, View view, double aspect,
+Camera fit_camera(const Box& box, View view, double aspect,
                   Projection projection = Projection::Orthographic);
 
 }  // namespace ncsim::exporter

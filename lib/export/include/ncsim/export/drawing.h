@@ -5,7 +5,7 @@
 #pragma once
 
 #include "ncsim/brep/section.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 
 #include <iosfwd>
 #include <string>
@@ -16,7 +16,7 @@ namespace ncsim::exporter {
 /// A section to draw and the provenance of the part.
 struct DrawnSection {
     const brep::Section* section = nullptr;
-    const Provenance* provenance = nullptr;
+    const mesh::Provenance* provenance = nullptr;
     /// True if the outlines are those of the polyhedron, without arcs.
     bool is_faceted = false;
 };

@@ -7,8 +7,8 @@
 #include "ncsim/brep/part_shading.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/moving_scene.h"
-#include "ncsim/export/provenance.h"
-#include "ncsim/export/seams.h"
+#include "ncsim/mesh/provenance.h"
+#include "ncsim/mesh/seams.h"
 
 #include <cstddef>
 #include <iosfwd>
@@ -36,8 +36,9 @@ namespace ncsim::exporter {
 ///     equal bytes, for any number of `threads` (as in cda::triangulate()).
 /// Throws: std::invalid_argument if `boundary` is not closed; std::runtime_error if the file would
 ///     exceed the 4 GiB of the format, or if the stream fails.
-void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                std::size_t threads = 1, const brep::Shading& shading = {});
+void write_gltf(std::ostream& out, const cda::Boundary& boundary,
+                const mesh::Provenance& provenance, std::size_t threads = 1,
+                const brep::Shading& shading = {});
 
 /// Writes a piece of a surface that is split into several files. The piece is open where it meets
 /// other pieces. Each corner is rounded by itself, relative to `centre` (mm), which is the same for
@@ -45,9 +46,9 @@ void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenan
 /// coincide after rounding are omitted; a triangle may have zero area.
 /// Returns: the edges that no other triangle of the file uses in the opposite direction. Another
 ///     file has their partners.
-std::vector<FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& piece,
-                                        const Provenance& provenance, cda::Vec3 centre,
-                                        const brep::Shading& shading = {});
+std::vector<mesh::FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& piece,
+                                              const mesh::Provenance& provenance, Vec3 centre,
+                                              const brep::Shading& shading = {});
 
 /// Writes `scene` with the part and the motion. The node `machine` stands for machine coordinates
 /// and converts millimetres, z up, to the metres, y up, of glTF. Each node of the scene becomes a
@@ -65,7 +66,8 @@ std::vector<FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& 
 ///
 /// Guarantees: as the first overload, for the part.
 /// Throws: as the first overload; std::runtime_error also if a body is too large for floats.
-void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                const MovingScene& scene, const brep::Shading& shading = {});
+void write_gltf(std::ostream& out, const cda::Boundary& boundary,
+                const mesh::Provenance& provenance, const MovingScene& scene,
+                const brep::Shading& shading = {});
 
 }  // namespace ncsim::exporter

@@ -3,11 +3,11 @@
 // Marks that explain a picture: axes, program zero, scale and legend of colours.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/image.h"
-#include "ncsim/export/provenance.h"
 #include "ncsim/export/render_options.h"
+#include "ncsim/mesh/provenance.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kLeastMarkedSide = 240;
 
 /// A place of the part with a short text, such as a number.
 struct MarkedPlace {
-    cda::Vec3 point;  ///< mm, W
+    Vec3 point;  ///< mm, W
     std::string text;
 };
 
@@ -35,7 +35,7 @@ struct Marks {
     /// right.
     bool scale = false;
     bool has_size = true;      ///< The scale shows `size`, too.
-    cda::Vec3 size;            ///< Size of the stock in the unit of the scale, in W.
+    Vec3 size;                 ///< Size of the stock in the unit of the scale, in W.
     double mm_per_unit = 1.0;  ///< Unit of the scale: 1 or 25.4.
     std::string unit = "mm";   ///< Its name.
     /// Colours with their meanings, in the order of the list; empty: none.
@@ -60,7 +60,7 @@ double mark_strip(std::uint32_t width, std::uint32_t height);
 Camera with_mark_strip(Camera camera, double strip);
 
 /// Returns the number and the colour of each tool that cut, in the order of the numbers.
-std::vector<std::pair<std::uint32_t, Rgba8>> tool_colours(const Provenance& provenance);
+std::vector<std::pair<std::uint32_t, Rgba8>> tool_colours(const mesh::Provenance& provenance);
 
 /// Returns the colours of Colouring::Design, from the deepest gouge to the largest excess, `count`
 /// equal steps of distance.

@@ -4,7 +4,7 @@
 // its parent. Input of the file formats that support animation.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/export/overlay.h"
 
 #include <cstddef>
@@ -27,7 +27,7 @@ struct JointKey {
 struct SceneJoint {
     char letter = 'X';
     bool turns = false;
-    cda::Vec3 direction;         ///< Unit vector.
+    Vec3 direction;              ///< Unit vector.
     std::vector<JointKey> keys;  ///< Ascending in time; linear between keys.
 };
 
@@ -37,7 +37,7 @@ struct SceneNode {
     std::string name;
     /// Number of the parent, which precedes the node; nullopt: the fixed base.
     std::optional<std::size_t> parent;
-    cda::Vec3 origin;  ///< Origin of the node's frame.
+    Vec3 origin;  ///< Origin of the node's frame.
     std::optional<SceneJoint> joint;
     std::vector<Body> bodies;
     /// Intervals in seconds during which the node is visible; empty: always.
@@ -55,7 +55,7 @@ struct MovingScene {
     std::vector<SceneNode> nodes;
     /// Number of the node that carries the part; nullopt: the fixed base.
     std::optional<std::size_t> part_on;
-    cda::Vec3 zero;        ///< Origin of W, with all joints at 0.
+    Vec3 zero;             ///< Origin of W, with all joints at 0.
     double seconds = 0.0;  ///< Duration of the motion.
     /// Largest distance between the animated and the true position between keys.
     double missed_mm = 0.0;

@@ -3,8 +3,8 @@
 // Parts of a picture in addition to the workpiece: tool paths, tools and outlines of stock.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/vec.h"
 #include "ncsim/export/image.h"
 
 #include <vector>
@@ -13,14 +13,14 @@ namespace ncsim::exporter {
 
 /// A line through `points` (mm, W), drawn where no body hides it.
 struct PathLine {
-    std::vector<cda::Vec3> points;
+    std::vector<Vec3> points;
     bool is_rapid = false;  ///< Rapid: dashed, and in a different colour.
 };
 
 /// Box of an assumed stock. Its edges are drawn; bodies in front of an edge, or in its plane, hide
 /// the edge.
 struct Ghost {
-    cda::Box box;  ///< mm, W.
+    Box box;  ///< mm, W.
 };
 
 /// A closed body in addition to the part, in mm, W. A colour that is not opaque shows the objects

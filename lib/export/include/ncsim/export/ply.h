@@ -4,9 +4,9 @@
 // Source: Greg Turk, The PLY Polygon File Format, 1994.
 #pragma once
 
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/mesh.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 
 #include <iosfwd>
 
@@ -18,7 +18,7 @@ namespace ncsim::exporter {
 ///
 /// Guarantees: an empty part gives a valid file. Equal input gives equal bytes.
 /// Throws: std::runtime_error if the stream fails.
-void write_ply(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
-               const Provenance& provenance);
+void write_ply(std::ostream& out, const cda::Boundary& boundary, const TriangleMesh& mesh,
+               const mesh::Provenance& provenance);
 
 }  // namespace ncsim::exporter

@@ -8,8 +8,8 @@
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/export/image.h"
 #include "ncsim/export/overlay.h"
-#include "ncsim/export/provenance.h"
 #include "ncsim/export/render_options.h"
+#include "ncsim/mesh/provenance.h"
 
 namespace ncsim::exporter {
 
@@ -20,14 +20,14 @@ namespace ncsim::exporter {
 /// Guarantees: the same input gives the same bytes on every machine.
 /// Throws: std::runtime_error if the size or the number of samples is out of range.
 /// Source: Schüppel 2001, section 5.1.
-Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
+Image render_model(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
                    const RenderOptions& options, const Overlay& overlay = {});
 
 /// Draws `boundary`, cut open if the options have a plane. Faces that `shading` knows to be round
 /// are lit with the normals of their surface, from corner to corner, and have no lines between
 /// them. Without `shading`, the picture equals that of the model with this boundary, except for
 /// pixels on edges. Guarantees and exceptions are those of render_model().
-Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
+Image render_boundary(const cda::Boundary& boundary, const mesh::Provenance& provenance,
                       const RenderOptions& options, const Overlay& overlay = {},
                       const brep::Shading& shading = {});
 

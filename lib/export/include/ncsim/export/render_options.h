@@ -3,9 +3,9 @@
 // Size, camera and colours of a picture.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/export/camera.h"
-#include "ncsim/export/cut_plane.h"
+#include "ncsim/mesh/open_mesh.h"
 
 #include <cstdint>
 #include <optional>
@@ -32,7 +32,7 @@ enum class Colouring {
 
 /// Distances of the surface of a part from a design.
 struct DesignDistances {
-    cda::TriangleMesh mesh;  ///< Triangles of the faces of the part, mm, W.
+    TriangleMesh mesh;  ///< Triangles of the faces of the part, mm, W.
     /// For each vertex, mm; positive: material is left, negative: the part is cut into the design.
     std::vector<double> distance_mm;
     double tolerance_mm = 0.0;
@@ -59,7 +59,7 @@ struct RenderOptions {
     /// For Colouring::Design, which needs the distances. They outlive the call.
     const DesignDistances* distances = nullptr;
     /// Plane at which the part is cut open; the cut is hatched. Only for render_boundary().
-    std::optional<CutPlane> cut;
+    std::optional<mesh::CutPlane> cut;
     /// Each pixel is the mean of samples × samples; 1 to 4.
     std::uint32_t samples = 2;
     /// Draws the part transparent: the nearest kLayers surfaces of the part on each line of sight,

@@ -9,8 +9,8 @@
 #include "ncsim/brep/measure.h"
 #include "ncsim/brep/part.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/export/provenance.h"
-#include "ncsim/export/simplify.h"
+#include "ncsim/mesh/provenance.h"
+#include "ncsim/mesh/simplify.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +24,7 @@ inline constexpr std::size_t kStepMaxFaces = 100'000;
 
 /// Default tolerance in mm, above the lattice, which splits a flat wall into several facets, and
 /// far above the 1e-7 mm within which readers identify two points.
-inline constexpr double kStepTolerance = kFlatTolerance;
+inline constexpr double kStepTolerance = mesh::kFlatTolerance;
 
 /// Application protocol. The files differ only in the entities that name the protocol and in the
 /// links of attributes.
@@ -64,8 +64,8 @@ brep::FlatPart flat_solid(const cda::Boundary& boundary, double tolerance_mm);
 ///     a solid. Equal input gives equal bytes; the time in the header is that of 1970.
 /// Throws: std::runtime_error if there are more than `options.max_faces` faces, if the solid is not
 ///     sound (flat_solid()), or if the stream fails.
-void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                const StepOptions& options = {});
+void write_step(std::ostream& out, const cda::Boundary& boundary,
+                const mesh::Provenance& provenance, const StepOptions& options = {});
 
 /// Writes `part`, whose faces and edges may be curved: PLANE, CYLINDRICAL_, CONICAL_, SPHERICAL_
 /// and TOROIDAL_SURFACE, SURFACE_OF_LINEAR_EXTRUSION, SURFACE_OF_REVOLUTION,
@@ -79,7 +79,7 @@ void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenan
 ///     fails.
 /// Source: CAx-IF Recommended Practices for Geometric and Assembly Validation Properties; CAx-IF
 ///     Recommended Practices for User Defined Attributes.
-void write_step_solid(std::ostream& out, const brep::Part& part, const Provenance& provenance,
+void write_step_solid(std::ostream& out, const brep::Part& part, const mesh::Provenance& provenance,
                       const StepOptions& options = {});
 
 }  // namespace ncsim::exporter

@@ -3,7 +3,7 @@
 // The part as binary STL.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 
 #include <cstddef>
 #include <iosfwd>
@@ -25,7 +25,7 @@ namespace ncsim::exporter {
 ///     triangles gives a valid file. Equal input gives equal bytes, for any number of threads.
 /// Throws: std::invalid_argument if `mesh` is not closed; std::runtime_error if there are more than
 ///     2^32 - 1 triangles, if a coordinate exceeds 2^100, or if the stream fails.
-void write_stl(std::ostream& out, const cda::TriangleMesh& mesh, std::size_t threads = 1,
+void write_stl(std::ostream& out, const TriangleMesh& mesh, std::size_t threads = 1,
                std::string_view assumed = {});
 
 }  // namespace ncsim::exporter

@@ -4,9 +4,10 @@
 // Source: 3MF Consortium, 3MF Core Specification and Reference Guide, version 1.
 #pragma once
 
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/mesh.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/cda/triangulate.h"
+#include "ncsim/mesh/provenance.h"
 
 #include <iosfwd>
 
@@ -20,11 +21,12 @@ namespace ncsim::exporter {
 ///     the times in the archive are those of 1980.
 /// Throws: std::runtime_error if the file would exceed the 4 GiB of a plain ZIP archive, or if the
 ///     stream fails.
-void write_3mf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance);
+void write_3mf(std::ostream& out, const cda::Boundary& boundary,
+               const mesh::Provenance& provenance);
 
 /// Writes a boundary that is already split into triangles.
 /// Requires: `mesh` is cda::triangulate(boundary).
-void write_3mf(std::ostream& out, const cda::Boundary& boundary, const cda::TriangleMesh& mesh,
-               const Provenance& provenance);
+void write_3mf(std::ostream& out, const cda::Boundary& boundary, const TriangleMesh& mesh,
+               const mesh::Provenance& provenance);
 
 }  // namespace ncsim::exporter

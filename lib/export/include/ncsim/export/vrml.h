@@ -6,7 +6,7 @@
 
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/moving_scene.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 
 #include <iosfwd>
 
@@ -19,7 +19,8 @@ namespace ncsim::exporter {
 ///
 /// Guarantees: an empty part gives a valid file. Equal input gives equal bytes.
 /// Throws: std::runtime_error if the stream fails.
-void write_vrml(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance);
+void write_vrml(std::ostream& out, const cda::Boundary& boundary,
+                const mesh::Provenance& provenance);
 
 /// Writes `scene` with the part and the motion, in machine coordinates, mm, z up. Each node is a
 /// Transform below the parent, DEF'd as LINK_<n>_<name>, n from 0; characters of the name that are
@@ -27,7 +28,7 @@ void write_vrml(std::ostream& out, const cda::Boundary& boundary, const Provenan
 /// visible, there is a TimeSensor CLOCK, which repeats, and for each joint a PositionInterpolator,
 /// or an OrientationInterpolator with at most 90° between keys. Tools that are not in the spindle
 /// are scaled to a millionth of their size.
-void write_vrml(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                const MovingScene& scene);
+void write_vrml(std::ostream& out, const cda::Boundary& boundary,
+                const mesh::Provenance& provenance, const MovingScene& scene);
 
 }  // namespace ncsim::exporter

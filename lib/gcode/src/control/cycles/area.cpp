@@ -3,7 +3,7 @@
 // Distances and scan lines of polygons.
 #include "control/cycles/area.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,48 +20,44 @@ namespace {
 constexpr double kRounding = 1e-12;
 constexpr double kPathRounding = 1e-9;
 
-double cross(PlanePoint o, PlanePoint a, PlanePoint b) {
-    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
-}
-
-double distance(PlanePoint p, PlanePoint a, PlanePoint b) {
+double distance(Vec2 p, Vec2 a, Vec2 b) {
     const double x = b.x - a.x;
     const double y = b.y - a.y;
     const double length_2 = x * x + y * y;
     double t = length_2 > 0.0 ? ((p.x - a.x) * x + (p.y - a.y) * y) / length_2 : 0.0;
     t = std::clamp(t, 0.0, 1.0);
-    return trig::length_of(p.x - (a.x + t * x), p.y - (a.y + t * y));
+    return hypotenuse(p.x - (a.x + t * x), p.y - (a.y + t * y));
 }
 
-double distance(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d) {
-    const bool cd_apart = (cross(c, d, a) > 0.0) != (cross(c, d, b) > 0.0);
-    const bool ab_apart = (cross(a, b, c) > 0.0) != (cross(a, b, d) > 0.0);
+double distance(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const bool cd_apart = (cross(d - c, a - c) > 0.0) != (cross(d - c, b - c) > 0.0);
+    const bool ab_apart = (cross(b - a, c - a) > 0.0) != (cross(b - a, d - a) > 0.0);
     if (cd_apart && ab_apart) return 0.0;
     return std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
 }
 
 /// Returns the part of the horizontal line at `y` whose distance from the segment is below
 /// `radius`.
-std::optional<Stroke> near_segment(PlanePoint a, PlanePoint b, double radius, double y) {
+std::optional<Stroke> near_segment(Vec2 a, Vec2 b, double radius, double y) {
     std::optional<Stroke> out;
     const auto add = [&](double from, double to) {
         if (!out) out = Stroke{from, to};
         out->from = std::min(out->from, from);
         out->to = std::max(out->to, to);
     };
-    for (const PlanePoint& p : {a, b}) {
+    for (const Vec2& p : {a, b}) {
         const double up = y - p.y;
         if (std::abs(up) >= radius) continue;
         const double half = std::sqrt((radius - up) * (radius + up));
         add(p.x - half, p.x + half);
     }
     // The two sides of the band between the end circles.
-    const double length = trig::length_of(b.x - a.x, b.y - a.y);
+    const double length = hypotenuse(b.x - a.x, b.y - a.y);
     if (length == 0.0) return out;
-    const PlanePoint n{-(b.y - a.y) / length * radius, (b.x - a.x) / length * radius};
+    const Vec2 n{-(b.y - a.y) / length * radius, (b.x - a.x) / length * radius};
     for (const double side : {-1.0, 1.0}) {
-        const PlanePoint p{a.x + side * n.x, a.y + side * n.y};
-        const PlanePoint q{b.x + side * n.x, b.y + side * n.y};
+        const Vec2 p{a.x + side * n.x, a.y + side * n.y};
+        const Vec2 q{b.x + side * n.x, b.y + side * n.y};
         if ((p.y < y) == (q.y < y)) continue;
         const double x = p.x + (q.x - p.x) * ((y - p.y) / (q.y - p.y));
         add(x, x);
@@ -71,21 +67,19 @@ std::optional<Stroke> near_segment(PlanePoint a, PlanePoint b, double radius, do
 
 }  // namespace
 
-double signed_area(const std::vector<PlanePoint>& outline) {
+double signed_area(const std::vector<Vec2>& outline) {
     double twice = 0.0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
-        const PlanePoint& a = outline[i];
-        const PlanePoint& b = outline[(i + 1) % outline.size()];
-        twice += (a.x - outline[0].x) * (b.y - outline[0].y) -
-                 (b.x - outline[0].x) * (a.y - outline[0].y);
+        const Vec2 next = outline[(i + 1) % outline.size()];
+        twice += cross(outline[i] - outline[0], next - outline[0]);
     }
     return twice / 2.0;
 }
 
-Area::Area(const std::vector<std::vector<PlanePoint>>& outlines, double distance) {
+Area::Area(const std::vector<std::vector<Vec2>>& outlines, double distance) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
-    for (const std::vector<PlanePoint>& outline : outlines) {
+    for (const std::vector<Vec2>& outline : outlines) {
         for (std::size_t i = 0; i < outline.size(); ++i) {
             sides_.push_back({outline[i], outline[(i + 1) % outline.size()]});
             low = std::min(low, outline[i].y);
@@ -99,7 +93,7 @@ Area::Area(const std::vector<std::vector<PlanePoint>>& outlines, double distance
     path_margin_ = std::max(0.0, distance - kPathRounding * size);
 }
 
-bool Area::contains(PlanePoint p) const {
+bool Area::contains(Vec2 p) const {
     bool inside = false;
     for (const auto& [a, b] : sides_) {
         if (distance(p, a, b) < path_margin_) return false;
@@ -110,7 +104,7 @@ bool Area::contains(PlanePoint p) const {
     return inside;
 }
 
-bool Area::contains(PlanePoint a, PlanePoint b) const {
+bool Area::contains(Vec2 a, Vec2 b) const {
     return std::ranges::none_of(
         sides_, [&](const Side& side) { return distance(a, b, side.a, side.b) < path_margin_; });
 }

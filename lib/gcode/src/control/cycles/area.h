@@ -4,14 +4,11 @@
 // cover the region.
 #pragma once
 
+#include "ncsim/base/vec2.h"
+
 #include <vector>
 
 namespace ncsim::gcode {
-
-/// A point in the plane, in any unit of length.
-struct PlanePoint {
-    double x = 0.0, y = 0.0;
-};
 
 /// A segment from `from` to `to` along the first coordinate.
 struct Stroke {
@@ -24,14 +21,14 @@ class Area {
 public:
     /// The outlines are closed implicitly, do not intersect, and have any orientation. `distance`
     /// ≥ 0.
-    Area(const std::vector<std::vector<PlanePoint>>& outlines, double distance);
+    Area(const std::vector<std::vector<Vec2>>& outlines, double distance);
 
     /// True if `p` is in the area.
     /// Cost: O(sides of the outlines).
-    bool contains(PlanePoint p) const;
+    bool contains(Vec2 p) const;
     /// True if the whole segment between two points of the area is in the area.
     /// Cost: O(sides of the outlines).
-    bool contains(PlanePoint a, PlanePoint b) const;
+    bool contains(Vec2 a, Vec2 b) const;
     /// Returns the segments of the line y = `y` in the area, from left to right.
     /// Cost: O(n log n + n k) for n sides of the outlines and k segments.
     std::vector<Stroke> strokes_at(double y) const;
@@ -42,7 +39,7 @@ public:
 
 private:
     struct Side {
-        PlanePoint a, b;
+        Vec2 a, b;
     };
     std::vector<Side> sides_;
     // `distance` minus a rounding tolerance, so points at exactly `distance` count as inside.
@@ -53,6 +50,6 @@ private:
 };
 
 /// Returns the area enclosed by `outline`; > 0 if `outline` is counter-clockwise.
-double signed_area(const std::vector<PlanePoint>& outline);
+double signed_area(const std::vector<Vec2>& outline);
 
 }  // namespace ncsim::gcode

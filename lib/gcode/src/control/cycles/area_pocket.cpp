@@ -2,7 +2,7 @@
 //
 // G150 of Haas: a pocket of any shape. The outline is in a subprogram that is not executed but
 // recorded: a line from the starting hole to the outline, then once around the outline.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "control/cycles/area.h"
 #include "control/machine.h"
@@ -130,21 +130,21 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
         return needs("a line (G1) from the starting hole to the outline");
     const std::vector<OutlineMove> loop(contour_.begin() + 1, contour_.end());
     const double unit = state_.unit_mm();
-    if (trig::length_of(loop.back().to.x - loop.front().from.x,
-                        loop.back().to.y - loop.front().from.y) > kMaxClosingGap / unit) {
+    if (hypotenuse(loop.back().to.x - loop.front().from.x, loop.back().to.y - loop.front().from.y) >
+        kMaxClosingGap / unit) {
         return needs("an outline that ends where it begins");
     }
     const double cutter = std::abs(radius_of_register(command, span));
-    std::vector<PlanePoint> polygon = polygon_of(loop, kChord / unit);
+    std::vector<Vec2> polygon = polygon_of(loop, kChord / unit);
     const CutterSide inside = signed_area(polygon) > 0.0 ? CutterSide::Left : CutterSide::Right;
     if (along_y) {
-        for (PlanePoint& p : polygon)
+        for (Vec2& p : polygon)
             std::swap(p.x, p.y);
     }
     const Area area({polygon}, cutter + allowance);
     const Area on_size({polygon}, cutter);
-    const auto seen = [&](PlanePoint p) { return along_y ? PlanePoint{p.y, p.x} : p; };
-    const PlanePoint hole{start[kX], start[kY]};
+    const auto seen = [&](Vec2 p) { return along_y ? Vec2{p.y, p.x} : p; };
+    const Vec2 hole{start[kX], start[kY]};
     if (area.lowest() > area.highest() || !area.contains(seen(hole)))
         return needs("a starting hole (X Y) inside the outline, with room for the cutter");
     const double height = area.highest() - area.lowest();
@@ -167,8 +167,8 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
     const auto z = [&] { return state_.position[kZ]; };
     go(hole.x, hole.y, z(), MoveKind::Rapid);
     go(hole.x, hole.y, clear, MoveKind::Rapid);
-    const auto reach = [&](PlanePoint p, double level) {
-        const PlanePoint here{state_.position[kX], state_.position[kY]};
+    const auto reach = [&](Vec2 p, double level) {
+        const Vec2 here{state_.position[kX], state_.position[kY]};
         if (area.contains(seen(here), seen(p))) return go(p.x, p.y, level, MoveKind::Feed);
         go(here.x, here.y, clear, MoveKind::Rapid);
         go(p.x, p.y, clear, MoveKind::Rapid);
@@ -189,8 +189,8 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
             const bool back = s % 2 == 1;
             if (back) std::ranges::reverse(pieces);
             for (const Stroke& piece : pieces) {
-                const PlanePoint a = seen({back ? piece.to : piece.from, at});
-                const PlanePoint b = seen({back ? piece.from : piece.to, at});
+                const Vec2 a = seen({back ? piece.to : piece.from, at});
+                const Vec2 b = seen({back ? piece.from : piece.to, at});
                 reach(a, level);
                 go(b.x, b.y, z(), MoveKind::Feed);
             }
@@ -210,15 +210,15 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
 bool Machine::mill_outline(const std::vector<OutlineMove>& loop, CutterSide side, double radius,
                            const Area& area, bool along_y, double level, double clear) {
     const OutlineMove& first = loop.front();
-    const PlanePoint middle = point_at(first, 0.5);
-    const PlanePoint ahead = direction_in_middle(first);
-    const double length = trig::length_of(ahead.x, ahead.y);
+    const Vec2 middle = point_at(first, 0.5);
+    const Vec2 ahead = direction_in_middle(first);
+    const double length = hypotenuse(ahead.x, ahead.y);
     const double in = side == CutterSide::Left ? radius / length : -radius / length;
-    const PlanePoint offset_point{middle.x - in * ahead.y, middle.y + in * ahead.x};
+    const Vec2 offset_point{middle.x - in * ahead.y, middle.y + in * ahead.x};
 
     Axes to = state_.position;
-    const PlanePoint here{to[kX], to[kY]};
-    const auto seen = [&](PlanePoint p) { return along_y ? PlanePoint{p.y, p.x} : p; };
+    const Vec2 here{to[kX], to[kY]};
+    const auto seen = [&](Vec2 p) { return along_y ? Vec2{p.y, p.x} : p; };
     constexpr AxisMask kPlane = 1U << kX | 1U << kY;
     constexpr AxisMask kHeight = 1U << kZ;
     const bool straight = area.contains(seen(here), seen(offset_point));
@@ -232,7 +232,7 @@ bool Machine::mill_outline(const std::vector<OutlineMove>& loop, CutterSide side
         to[kZ] = level;
         path_.linear_move(state_, to, MoveKind::Feed, kHeight);
     }
-    const auto follow = [&](const OutlineMove& move, PlanePoint end) {
+    const auto follow = [&](const OutlineMove& move, Vec2 end) {
         Axes target = state_.position;
         target[kX] = end.x, target[kY] = end.y;
         if (move.turns == 0) return feed_straight(target, MoveKind::Feed, kPlane);

@@ -4,7 +4,7 @@
 // RND, CHF and CHR of other languages: the same; RND also next to arcs.
 // ,A: the direction of a line for which one coordinate of the end is given, or which ends at the
 // next line. Each such line is held back because the end depends on the next line.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "control/cycles/fillet.h"
 #include "control/machine.h"
@@ -128,8 +128,8 @@ bool Machine::cut_corner(const Axes& next, const ProgramArc* arc) {
     const double y1 = held.end[axes.second] - from[axes.second];
     const double x2 = next[axes.first] - held.end[axes.first];
     const double y2 = next[axes.second] - held.end[axes.second];
-    const double length_1 = trig::length_of(x1, y1);
-    const double length_2 = trig::length_of(x2, y2);
+    const double length_1 = hypotenuse(x1, y1);
+    const double length_2 = hypotenuse(x2, y2);
     if (std::min(length_1, length_2) <= kCornerRounding)
         return refuse("two lines that have a length");
     const double dot = (x1 * x2 + y1 * y2) / (length_1 * length_2);
@@ -174,7 +174,7 @@ bool Machine::round_at_arc(const Axes& next, const ProgramArc* arc) {
     const bool is_flat = stays_in_plane(held.end, next);
     if (!is_flat && held.is_modal) return make_held_line(held.end, nullptr, nullptr);
     if (!is_flat) return refuse("a line or an arc in the plane after it");
-    const auto point = [&](const Axes& p) { return PlanePoint{p[axes.first], p[axes.second]}; };
+    const auto point = [&](const Axes& p) { return Vec2{p[axes.first], p[axes.second]}; };
     PlaneElement first{point(held.state.position), point(held.end), false, {}, 1.0};
     PlaneElement second{point(held.end), point(next), false, {}, 1.0};
     for (const ProgramArc* const element : {held.arc ? &*held.arc : nullptr, arc}) {
@@ -187,8 +187,8 @@ bool Machine::round_at_arc(const Axes& next, const ProgramArc* arc) {
     }
     if (std::min(first.length(), second.length()) <= kCornerRounding)
         return refuse("two elements that have a length");
-    const PlanePoint a = first.direction_at(first.to);
-    const PlanePoint b = second.direction_at(second.from);
+    const Vec2 a = first.direction_at(first.to);
+    const Vec2 b = second.direction_at(second.from);
     const double dot = a.x * b.x + a.y * b.y;
     const double cross = a.x * b.y - a.y * b.x;
     constexpr double kTangent = 1e-6;  // Centres of tangential arcs are rounded by programmers.
@@ -199,8 +199,8 @@ bool Machine::round_at_arc(const Axes& next, const ProgramArc* arc) {
     const double side = cross > 0.0 ? 1.0 : -1.0;
     const std::optional<Fillet> found = fillet(first, second, held.size, side);
     if (!found) return refuse("elements that are long enough for it");
-    const auto axes_at = [&](PlanePoint p, PlanePoint limit, const Axes& end) {
-        if (trig::length_of(p.x - limit.x, p.y - limit.y) <= kCornerRounding) return end;
+    const auto axes_at = [&](Vec2 p, Vec2 limit, const Axes& end) {
+        if (hypotenuse(p.x - limit.x, p.y - limit.y) <= kCornerRounding) return end;
         Axes out = held.end;
         out[axes.first] = p.x;
         out[axes.second] = p.y;
@@ -263,7 +263,7 @@ bool Machine::end_by_angle(const Command& command, Axes& end, AxisMask& mask) {
         if (i != axes.first && i != axes.second && (mask & 1U << i) != 0)
             return refuse("a line in the plane (G17, G18, G19)");
     }
-    const trig::SinCos d = trig::sin_cos(command.angle);
+    const SinCos d = sin_cos(command.angle);
     const double x = to[axes.first] - from[axes.first];
     const double y = to[axes.second] - from[axes.second];
     const bool tells_first = (mask & 1U << axes.first) != 0;
@@ -340,8 +340,8 @@ bool Machine::find_corner(const Command& command, const Axes& next) {
     if (!stays_in_plane(state_.position, next)) return refuse("a next line in the plane");
     const Axes from = to_programmed(state_.position);
     const Axes to = to_programmed(next);
-    const trig::SinCos a = trig::sin_cos(*held.angle);
-    const trig::SinCos b = trig::sin_cos(command.angle);
+    const SinCos a = sin_cos(*held.angle);
+    const SinCos b = sin_cos(command.angle);
     const double cross = a.cos * b.sin - a.sin * b.cos;
     if (std::abs(cross) <= kCornerRounding) return refuse("a next line that it meets");
     const double x = to[axes.first] - from[axes.first];

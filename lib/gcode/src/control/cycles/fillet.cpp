@@ -4,7 +4,7 @@
 // parallel lines or concentric circles.
 #include "control/cycles/fillet.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,30 +17,30 @@ namespace {
 /// Rounding tolerance of lengths, in program units.
 constexpr double kFilletRounding = 1e-9;
 
-double distance(PlanePoint a, PlanePoint b) {
-    return trig::length_of(b.x - a.x, b.y - a.y);
+double distance(Vec2 a, Vec2 b) {
+    return hypotenuse(b.x - a.x, b.y - a.y);
 }
 
 /// Points at the same distance from an element: a line, or a circle.
 struct Locus {
-    PlanePoint point;      ///< Point of the line, or centre of the circle.
-    PlanePoint direction;  ///< Unit vector of the line.
+    Vec2 point;      ///< Point of the line, or centre of the circle.
+    Vec2 direction;  ///< Unit vector of the line.
     bool is_circle = false;
     double radius = 0.0;
 };
 
-Locus locus_of(const PlaneElement& element, PlanePoint corner, double radius, double side) {
+Locus locus_of(const PlaneElement& element, Vec2 corner, double radius, double side) {
     if (element.is_arc)
         return {element.centre, {}, true, element.radius() - radius * side * element.turn};
-    const PlanePoint d = element.direction_at(corner);
+    const Vec2 d = element.direction_at(corner);
     return {{corner.x - side * radius * d.y, corner.y + side * radius * d.x}, d, false, 0.0};
 }
 
 /// Returns the intersections of the circle `a` and the locus `b`.
-std::vector<PlanePoint> intersections(const Locus& a, const Locus& b) {
+std::vector<Vec2> intersections(const Locus& a, const Locus& b) {
     if (!(a.radius > kFilletRounding) || (b.is_circle && !(b.radius > kFilletRounding))) return {};
-    PlanePoint base;
-    PlanePoint direction = b.direction;
+    Vec2 base;
+    Vec2 direction = b.direction;
     if (b.is_circle) {
         const double apart = distance(a.point, b.point);
         if (apart <= kFilletRounding) return {};
@@ -74,47 +74,47 @@ double PlaneElement::length() const {
     return length > 0.0 ? length : 2.0 * std::numbers::pi * radius();
 }
 
-PlanePoint PlaneElement::direction_at(PlanePoint p) const {
+Vec2 PlaneElement::direction_at(Vec2 p) const {
     const double size = is_arc ? radius() : distance(from, to);
     if (is_arc) return {-turn * (p.y - centre.y) / size, turn * (p.x - centre.x) / size};
     return {(to.x - from.x) / size, (to.y - from.y) / size};
 }
 
-double PlaneElement::way(PlanePoint a, PlanePoint b) const {
+double PlaneElement::way(Vec2 a, Vec2 b) const {
     if (!is_arc) {
-        const PlanePoint d = direction_at(a);
+        const Vec2 d = direction_at(a);
         return (b.x - a.x) * d.x + (b.y - a.y) * d.y;
     }
     constexpr double kTurn = 360.0;
-    const double begin = trig::angle_of(a.x - centre.x, a.y - centre.y);
-    const double end = trig::angle_of(b.x - centre.x, b.y - centre.y);
+    const double begin = angle_of(a.x - centre.x, a.y - centre.y);
+    const double end = angle_of(b.x - centre.x, b.y - centre.y);
     double angle = turn * (end - begin);
     angle -= kTurn * std::floor(angle / kTurn);
     const double per_degree = radius() * std::numbers::pi / 180.0;
     return (kTurn - angle) * per_degree <= kFilletRounding ? 0.0 : angle * per_degree;
 }
 
-PlanePoint PlaneElement::foot(PlanePoint p) const {
-    const PlanePoint& base = is_arc ? centre : from;
+Vec2 PlaneElement::foot(Vec2 p) const {
+    const Vec2& base = is_arc ? centre : from;
     const double x = p.x - base.x;
     const double y = p.y - base.y;
     if (is_arc) {
-        const double factor = radius() / trig::length_of(x, y);
+        const double factor = radius() / hypotenuse(x, y);
         return {centre.x + factor * x, centre.y + factor * y};
     }
-    const PlanePoint d = direction_at(from);
+    const Vec2 d = direction_at(from);
     const double along = x * d.x + y * d.y;
     return {from.x + along * d.x, from.y + along * d.y};
 }
 
 std::optional<Fillet> fillet(const PlaneElement& first, const PlaneElement& second, double radius,
                              double side) {
-    const PlanePoint corner = first.to;
+    const Vec2 corner = first.to;
     const Locus a = locus_of(first, corner, radius, side);
     const Locus b = locus_of(second, corner, radius, side);
     std::optional<Fillet> best;
     double shortest = 0.0;
-    for (const PlanePoint& centre : a.is_circle ? intersections(a, b) : intersections(b, a)) {
+    for (const Vec2& centre : a.is_circle ? intersections(a, b) : intersections(b, a)) {
         const Fillet found{first.foot(centre), second.foot(centre), centre};
         const double before = first.way(found.begin, corner);
         const double after = second.way(corner, found.end);

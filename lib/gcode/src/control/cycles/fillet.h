@@ -11,26 +11,26 @@ namespace ncsim::gcode {
 
 /// A line or an arc that ends or begins at a corner.
 struct PlaneElement {
-    PlanePoint from, to;
+    Vec2 from, to;
     bool is_arc = false;
-    PlanePoint centre;
+    Vec2 centre;
     double turn = 1.0;  ///< 1: counter-clockwise, -1: clockwise.
 
     double radius() const;
     /// Returns the length; an arc with equal ends is a full circle.
     double length() const;
     /// Returns the unit direction at the point `p` of the element.
-    PlanePoint direction_at(PlanePoint p) const;
+    Vec2 direction_at(Vec2 p) const;
     /// Returns the length from `a` to `b` along the element: negative if `b` is before `a` on a
     /// line; less than a full circle on an arc.
-    double way(PlanePoint a, PlanePoint b) const;
+    double way(Vec2 a, Vec2 b) const;
     /// Returns the point of the whole line or circle that is nearest to `p`.
-    PlanePoint foot(PlanePoint p) const;
+    Vec2 foot(Vec2 p) const;
 };
 
 /// An arc that is tangent to two elements.
 struct Fillet {
-    PlanePoint begin, end, centre;
+    Vec2 begin, end, centre;
 };
 
 /// Returns the arc of `radius` at the corner between `first` and `second`. `side`: 1 for a left

@@ -2,7 +2,7 @@
 //
 // G70, G71, G72 of Haas: the active cycle drills holes on a circle, an arc or a line. Each code
 // acts in its block only.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "control/machine.h"
 
@@ -67,7 +67,7 @@ bool Machine::hole_pattern(const Command& command, Code code, bool words_taken) 
         const double turn = code == Code::G70 ? i * 360.0 / holes : i * command.get('K', 0.0);
         const double angle = on_line ? command['J'] : command['J'] + sense * turn;
         const double distance = on_line ? i * command['I'] : std::abs(command['I']);
-        const trig::SinCos direction = trig::sin_cos(angle);
+        const SinCos direction = sin_cos(angle);
         Axes hole = centre;
         hole[kX] += distance * direction.cos;
         hole[kY] += distance * direction.sin;

@@ -11,15 +11,15 @@ namespace ncsim::gcode {
 
 /// A move of an outline in the plane. `turns` = 0: a line; otherwise an arc about `centre`.
 struct OutlineMove {
-    PlanePoint from, to, centre;
+    Vec2 from, to, centre;
     int turns = 0;  ///< > 0 counter-clockwise, < 0 clockwise.
 };
 
 /// Returns the point of `move` after the share `share` of its length.
-PlanePoint point_at(const OutlineMove& move, double share);
+Vec2 point_at(const OutlineMove& move, double share);
 /// Returns the direction of `move` at its point after half of the length, not normalized.
-PlanePoint direction_in_middle(const OutlineMove& move);
+Vec2 direction_in_middle(const OutlineMove& move);
 /// Returns the outline as a polygon with the chord tolerance `chord`.
-std::vector<PlanePoint> polygon_of(const std::vector<OutlineMove>& outline, double chord);
+std::vector<Vec2> polygon_of(const std::vector<OutlineMove>& outline, double chord);
 
 }  // namespace ncsim::gcode

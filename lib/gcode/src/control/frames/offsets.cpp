@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Coordinate systems: G54 … G59.3, G92 and G52, G10, G43, radius of G41, G68, G51, G16.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "control/machine.h"
 
@@ -119,7 +119,7 @@ bool Machine::place_at_start() {
     }
     Store& store = control_.store.change();
     const WorkOffset& g54 = store.work_offsets.front();
-    trig::rotate(start[kX], start[kY], g54.rotation);
+    rotate(start[kX], start[kY], g54.rotation);
     for (std::size_t i = 0; i < 3; ++i) {
         // An axis without a start counts as at home.
         machine[i] = options_.start[i] ? start[i] + g54.origin[i] / unit : 0.0;
@@ -300,7 +300,7 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
     // L20: the present position gets the coordinates of the block.
     double x = machine[kX] - state_.tool_offset[kX] - offset.origin[kX] / unit;
     double y = machine[kY] - state_.tool_offset[kY] - offset.origin[kY] / unit;
-    trig::rotate(x, y, -offset.rotation);
+    rotate(x, y, -offset.rotation);
     double wanted_x = x;
     double wanted_y = y;
     for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
@@ -322,7 +322,7 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
         }
     }
     if (from_position && command.has_any(letters('X', 'Y'))) {
-        trig::rotate(wanted_x, wanted_y, offset.rotation);
+        rotate(wanted_x, wanted_y, offset.rotation);
         offset.origin[kX] = unit * (machine[kX] - state_.tool_offset[kX] - wanted_x);
         offset.origin[kY] = unit * (machine[kY] - state_.tool_offset[kY] - wanted_y);
     }

@@ -2,7 +2,7 @@
 //
 // Polar interpolation (G12.1, G112): X and C are positions in the plane normal to the axis of C.
 // Cylindrical interpolation (G7.1, G107): arcs on an unrolled cylinder.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "control/machine.h"
 
@@ -58,7 +58,7 @@ bool Machine::polar_interpolation(const Command& command) {
             to[kX] += 1.0;
             const Triple a = options_.joints->tip_pose(from, length_mm()).tip;
             const Triple b = options_.joints->tip_pose(to, length_mm()).tip;
-            return trig::angle_of(b[kX] - a[kX], b[kY] - a[kY]);
+            return angle_of(b[kX] - a[kX], b[kY] - a[kY]);
         };
         constexpr double kQuarter = 90.0;
         polar_interpolation.angle = direction(axis_positions()[kC]);
@@ -84,7 +84,7 @@ bool Machine::polar_interpolation(const Command& command) {
 void Machine::end_polar_interpolation() {
     if (!state_.polar_interpolation) return;
     const MachineState::PolarInterpolation polar_interpolation = *state_.polar_interpolation;
-    const double angle = trig::angle_of(state_.position[kX], state_.position[kY]);
+    const double angle = angle_of(state_.position[kX], state_.position[kY]);
     state_.polar_interpolation.reset();
     set_plane_frame(std::nullopt);
     state_.position[kC] = polar_interpolation.start + polar_interpolation.sign * angle;
@@ -190,7 +190,7 @@ bool Machine::arc_on_cylinder(const Command& command, bool clockwise) {
     const auto [u0, v0] = flat(state_.position);
     const auto [u1, v1] = flat(end);
     const double r = command['R'];
-    const double chord = trig::length_of(u1 - u0, v1 - v0);
+    const double chord = hypotenuse(u1 - u0, v1 - v0);
     if (!(chord * state_.unit_mm() > 1e-9))
         return fail(Message::ArcRadiusNoChord, span_of(command, 'R'));
     const double half = chord / 2.0;
@@ -200,8 +200,8 @@ bool Machine::arc_on_cylinder(const Command& command, bool clockwise) {
     const double side = (clockwise == (r < 0.0) ? height : -height) / chord;
     const double cu = (u0 + u1) / 2.0 - (v1 - v0) * side;
     const double cv = (v0 + v1) / 2.0 + (u1 - u0) * side;
-    const double start = trig::angle_of(u0 - cu, v0 - cv);
-    double sweep = trig::angle_of(u1 - cu, v1 - cv) - start;
+    const double start = angle_of(u0 - cu, v0 - cv);
+    double sweep = angle_of(u1 - cu, v1 - cv) - start;
     if (clockwise && sweep > 0.0) sweep -= 360.0;
     if (!clockwise && sweep < 0.0) sweep += 360.0;
     // The number of chords keeps the chord tolerance kOff.
@@ -221,7 +221,7 @@ bool Machine::arc_on_cylinder(const Command& command, bool clockwise) {
             const double t = i / count;
             for (std::size_t k = 0; k < at.size(); ++k)
                 at[k] = from[k] + t * (end[k] - from[k]);
-            const trig::SinCos q = trig::sin_cos(start + t * sweep);
+            const SinCos q = sin_cos(start + t * sweep);
             const double u = cu + radius * q.cos, v = cv + radius * q.sin;
             at[level] = level_first ? u : v;
             at[c.axis] = (level_first ? v : u) / degree;

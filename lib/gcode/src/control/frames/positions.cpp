@@ -3,7 +3,7 @@
 // Transforms positions between the coordinates of a control.
 #include "ncsim/gcode/positions.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "control/paths/path.h"
 
@@ -14,7 +14,7 @@ namespace ncsim::gcode {
 
 Axes machine_position(const MachineState& state) {
     Axes m = to_untilted(state, state.position);
-    trig::rotate(m[kX], m[kY], state.rotation);
+    rotate(m[kX], m[kY], state.rotation);
     for (std::size_t i = 0; i < m.size(); ++i)
         m[i] += state.work_offset[i] + state.tool_offset[i];
     for (std::size_t i = 0; state.dynamic_offset && i < 3; ++i)
@@ -28,7 +28,7 @@ Axes from_machine(const MachineState& state, const Axes& machine) {
         p[i] -= state.work_offset[i] + state.tool_offset[i];
     for (std::size_t i = 0; state.dynamic_offset && i < 3; ++i)
         p[i] -= (*state.dynamic_offset)[i];
-    trig::rotate(p[kX], p[kY], -state.rotation);
+    rotate(p[kX], p[kY], -state.rotation);
     if (state.plane_frame) {
         const auto& outer = state.outer_92;
         std::ranges::copy(state.plane_frame->from_parent(
@@ -51,7 +51,7 @@ Axes from_programmed(const ProgrammedTransform& t, const Axes& programmed) {
         const PlaneAxes axes = axes_of(t.plane);
         double x = p[axes.first] - t.centre_1;
         double y = p[axes.second] - t.centre_2;
-        trig::rotate(x, y, t.angle);
+        rotate(x, y, t.angle);
         p[axes.first] = t.centre_1 + x;
         p[axes.second] = t.centre_2 + y;
     }
@@ -64,7 +64,7 @@ Axes to_programmed(const ProgrammedTransform& t, const Axes& position) {
         const PlaneAxes axes = axes_of(t.plane);
         double x = p[axes.first] - t.centre_1;
         double y = p[axes.second] - t.centre_2;
-        trig::rotate(x, y, -t.angle);
+        rotate(x, y, -t.angle);
         p[axes.first] = t.centre_1 + x;
         p[axes.second] = t.centre_2 + y;
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // G2 and G3: arcs by centre or radius, helices, several turns, full circles, in every plane.
+#include "ncsim/base/angles.h"
 #include "ncsim/gcode/print.h"
-#include "ncsim/trig/angles.h"
 
 #include "control/machine.h"
 
@@ -92,8 +92,8 @@ bool Machine::arc(const Command& command, bool clockwise) {
         }
     }
     out.turns = turns_clockwise ? -turns : turns;
-    const double radius = trig::length_of(state_.position[axes.first] - out.centre_1,
-                                          state_.position[axes.second] - out.centre_2);
+    const double radius = hypotenuse(state_.position[axes.first] - out.centre_1,
+                                     state_.position[axes.second] - out.centre_2);
     if (radius * state_.unit_mm() < kMinArcRadius) {
         if (!tolerate(Message::ArcTooSmall, command.span, {name})) return false;
         return feed_straight(out.end, MoveKind::Feed, mask);
@@ -135,8 +135,8 @@ bool Machine::is_huge(const ProgramArc& arc, double radius) const {
 bool Machine::is_straight(const ProgramArc& arc, double radius) const {
     constexpr double kLeastTurn = 1e-9;  // Radians; the chord deviates by at most length × angle.
     const PlaneAxes axes = axes_of(state_.plane);
-    const double chord = trig::length_of(arc.end[axes.first] - state_.position[axes.first],
-                                         arc.end[axes.second] - state_.position[axes.second]);
+    const double chord = hypotenuse(arc.end[axes.first] - state_.position[axes.first],
+                                    arc.end[axes.second] - state_.position[axes.second]);
     return chord < kLeastTurn * radius && !takes_long_way(arc);
 }
 
@@ -166,7 +166,7 @@ bool Machine::arc_by_radius(const Command& command, bool clockwise, ProgramArc& 
     const double y0 = state_.position[axes.second];
     const double dx = arc.end[axes.first] - x0;
     const double dy = arc.end[axes.second] - y0;
-    const double chord = trig::length_of(dx, dy);
+    const double chord = hypotenuse(dx, dy);
     double r = command['R'];
     if (state_.programmed.scaled) r *= std::abs(state_.programmed.scale[axes.first % 3]);
     if (chord * state_.unit_mm() < 1e-9) {
@@ -241,8 +241,8 @@ bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& 
     };
     const RadiusTolerance& tolerance = state_.inches ? kInch : kMetric;
     const auto fits = [&] {
-        return tolerance.allows(trig::length_of(x0 - arc.centre_1, y0 - arc.centre_2),
-                                trig::length_of(x1 - arc.centre_1, y1 - arc.centre_2));
+        return tolerance.allows(hypotenuse(x0 - arc.centre_1, y0 - arc.centre_2),
+                                hypotenuse(x1 - arc.centre_1, y1 - arc.centre_2));
     };
     if (state_.absolute_centres && rules_.strict && (!command.has(c1) || !command.has(c2))) {
         return fail(Message::ArcWithoutCentre, command.span, {name, {&c1, 1}, {&c2, 1}});
@@ -250,7 +250,7 @@ bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& 
     // The start of an arc after an error may be wrong, so the arc is no evidence.
     if (!rules_.strict && !centres_.is_settled && log_.errors() == 0) {
         centre(true);
-        const PlanePoint absolute{arc.centre_1, arc.centre_2};
+        const Vec2 absolute{arc.centre_1, arc.centre_2};
         const bool fits_absolute = fits();
         centre(false);
         settle_centres(fits(), fits_absolute,
@@ -259,8 +259,8 @@ bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& 
     }
     centre(state_.absolute_centres);
     if (fits()) return true;
-    const double r0 = trig::length_of(x0 - arc.centre_1, y0 - arc.centre_2);
-    const double r1 = trig::length_of(x1 - arc.centre_1, y1 - arc.centre_2);
+    const double r0 = hypotenuse(x0 - arc.centre_1, y0 - arc.centre_2);
+    const double r1 = hypotenuse(x1 - arc.centre_1, y1 - arc.centre_2);
     if (!rules_.strict) {
         // grbl and most controls accept the difference and make a spiral.
         const double difference = std::abs(r0 - r1);

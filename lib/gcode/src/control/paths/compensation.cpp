@@ -3,7 +3,7 @@
 // Offset paths of cutter radius compensation.
 #include "control/paths/compensation.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +20,6 @@ constexpr double kFlat = 1e-5 * kDegrees;
 /// A corner closer to a reversal than this angle (degrees) counts as an outside corner (value of
 /// LinuxCNC).
 constexpr double kReversal = 0.05 * kDegrees;
-
-double cross(double ax, double ay, double bx, double by) {
-    return ax * by - ay * bx;
-}
 
 }  // namespace
 
@@ -46,7 +42,7 @@ void Compensation::begin_at_offset(CutterSide side, double radius, const Axes& a
 }
 
 double Compensation::radius_of(const Element& e) const {
-    return trig::length_of(e.to.x - e.centre.x, e.to.y - e.centre.y);
+    return hypotenuse(e.to.x - e.centre.x, e.to.y - e.centre.y);
 }
 
 /// Returns the radius of the offset arc. The centre of a counter-clockwise arc is on the left.
@@ -56,10 +52,10 @@ double Compensation::offset_radius(const Element& e) const {
 
 Compensation::Vec Compensation::start_tangent(const Element& e) const {
     if (!e.is_arc) {
-        const double length = trig::length_of(e.to.x - e.from.x, e.to.y - e.from.y);
+        const double length = hypotenuse(e.to.x - e.from.x, e.to.y - e.from.y);
         return {(e.to.x - e.from.x) / length, (e.to.y - e.from.y) / length};
     }
-    const double r = trig::length_of(e.from.x - e.centre.x, e.from.y - e.centre.y);
+    const double r = hypotenuse(e.from.x - e.centre.x, e.from.y - e.centre.y);
     const double turn = e.turns > 0 ? 1.0 : -1.0;
     return {-turn * (e.from.y - e.centre.y) / r, turn * (e.from.x - e.centre.x) / r};
 }
@@ -159,8 +155,7 @@ bool Compensation::take(MachineState& state, Element element) {
 
 /// Starts compensation with `element`, if the control allows this.
 bool Compensation::enter(MachineState& state, Element& element) {
-    const double length =
-        trig::length_of(element.to.x - element.from.x, element.to.y - element.from.y);
+    const double length = hypotenuse(element.to.x - element.from.x, element.to.y - element.from.y);
     if (s_.start == CompensationStart::SquareToNext) {
         bool turns = false;
         for (std::size_t axis = 0; axis < element.end.size(); ++axis)
@@ -199,7 +194,7 @@ bool Compensation::place_centre(Element& element, const Axes& at) const {
     const double radius = radius_of(element);
     const Vec inwards{(element.centre.x - element.to.x) / radius,
                       (element.centre.y - element.to.y) / radius};
-    const double chord = trig::length_of(chord_x, chord_y);
+    const double chord = hypotenuse(chord_x, chord_y);
     const double along = chord_x * inwards.x + chord_y * inwards.y;
     if (std::abs(along) < kSquare * chord) return false;
     const double distance = chord * chord / (2.0 * along);
@@ -214,8 +209,7 @@ bool Compensation::join(const Element& next) {
     const Vec corner = held.to;
     const Vec in = end_tangent(held);
     const Vec out = start_tangent(next);
-    const double turn =
-        trig::angle_of(in.x * out.x + in.y * out.y, cross(in.x, in.y, out.x, out.y));
+    const double turn = angle_of(dot(in, out), cross(in, out));
     const bool is_flat = std::abs(turn) < kFlat;
     if (is_flat || (s_.held_enters && s_.start == CompensationStart::SquareToNext)) {
         if (!is_made) emit(held, offset_point(corner, out));
@@ -263,7 +257,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
         const Vec d = start_tangent(line);
         const Vec p = offset_point(line.from, d);
         const double along = (circle.centre.x - p.x) * d.x + (circle.centre.y - p.y) * d.y;
-        const double distance = cross(d.x, d.y, circle.centre.x - p.x, circle.centre.y - p.y);
+        const double distance = cross(d, circle.centre - p);
         const double square = circle.radius * circle.radius - distance * distance;
         if (square < 0.0) return;
         for (const double step : {along - std::sqrt(square), along + std::sqrt(square)}) {
@@ -273,7 +267,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
     // In rounded programs the radius of an arc differs between start and end; the radius at the
     // corner counts.
     const auto circle_of = [&](const Element& e) {
-        const double at_start = trig::length_of(e.from.x - e.centre.x, e.from.y - e.centre.y);
+        const double at_start = hypotenuse(e.from.x - e.centre.x, e.from.y - e.centre.y);
         const double programmed = &e == &a ? radius_of(e) : at_start;
         return Circle{e.centre, offset_radius(e) - radius_of(e) + programmed};
     };
@@ -282,8 +276,8 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
         const Vec e = start_tangent(b);
         const Vec p = offset_point(corner, d);
         const Vec q = offset_point(corner, e);
-        const double denominator = cross(d.x, d.y, e.x, e.y);
-        const double step = cross(q.x - p.x, q.y - p.y, e.x, e.y) / denominator;
+        const double denominator = cross(d, e);
+        const double step = cross(q - p, e) / denominator;
         candidates.push_back({p.x + step * d.x, p.y + step * d.y});
     } else if (!a.is_arc || !b.is_arc) {
         line_circle(a.is_arc ? b : a, circle_of(a.is_arc ? a : b));
@@ -292,7 +286,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
         const Circle k = circle_of(b);
         const double dx = k.centre.x - c.centre.x;
         const double dy = k.centre.y - c.centre.y;
-        const double distance = trig::length_of(dx, dy);
+        const double distance = hypotenuse(dx, dy);
         if (distance == 0.0) return false;
         const double along =
             (distance * distance + c.radius * c.radius - k.radius * k.radius) / (2.0 * distance);
@@ -305,7 +299,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
     }
     if (candidates.empty()) return false;
     point = *std::ranges::min_element(
-        candidates, {}, [&](Vec v) { return trig::length_of(v.x - corner.x, v.y - corner.y); });
+        candidates, {}, [&](Vec v) { return hypotenuse(v.x - corner.x, v.y - corner.y); });
     // A negative remaining length means that the cutter does not fit.
     const PlaneAxes axes = axes_of(a.state.plane);
     const Vec start{s_.at[axes.first], s_.at[axes.second]};

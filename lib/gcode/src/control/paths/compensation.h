@@ -5,6 +5,7 @@
 // back because the end depends on the next move.
 #pragma once
 
+#include "ncsim/base/vec2.h"
 #include "ncsim/gcode/state.h"
 
 #include "control/growing_list.h"
@@ -20,11 +21,7 @@ namespace ncsim::gcode {
 
 /// State of cutter compensation between two moves.
 struct CompensationState {
-    /// A point in the plane, program coordinates.
-    struct Vec {
-        double x = 0.0, y = 0.0;
-        bool operator==(const Vec&) const = default;
-    };
+    using Vec = Vec2;  ///< A point in the plane, program coordinates.
     /// A programmed move in the plane.
     struct Element {
         MachineState state;  ///< State when the move was programmed.

@@ -3,7 +3,7 @@
 // Statistics of axis words before any G90 or G91.
 #include "control/paths/distance_evidence.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "control/paths/path.h"
 
@@ -47,13 +47,12 @@ void DistanceEvidence::take_arc(const Command& command, const MachineState& stat
         }
         centre[i] = command.get("IJK"[axis], 0.0);
     }
-    const double radius = trig::length_of(centre[0], centre[1]);
+    const double radius = hypotenuse(centre[0], centre[1]);
     const bool by_radius = command.has('R') && radius == 0.0;
     // By how much of its radius the end is off the circle, or the chord longer than the diameter.
     const auto misfit = [&](const std::array<double, 2>& end) {
-        if (by_radius)
-            return trig::length_of(end[0], end[1]) / (2.0 * std::abs(command['R'])) - 1.0;
-        return std::abs(trig::length_of(end[0] - centre[0], end[1] - centre[1]) / radius - 1.0);
+        if (by_radius) return hypotenuse(end[0], end[1]) / (2.0 * std::abs(command['R'])) - 1.0;
+        return std::abs(hypotenuse(end[0] - centre[0], end[1] - centre[1]) / radius - 1.0);
     };
     constexpr double kFits = 0.002, kMisses = 0.05;
     const double of_place = misfit(place), of_step = misfit(step);

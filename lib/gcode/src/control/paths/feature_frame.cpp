@@ -3,7 +3,7 @@
 // Transformations between a frame and the parent frame.
 #include "ncsim/gcode/feature_frame.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 namespace ncsim::gcode {
 
@@ -45,7 +45,7 @@ FeatureFrame operator*(const FeatureFrame& X_WF, const FeatureFrame& X_FG) {
 }
 
 FeatureFrame turn_about(int axis, double degrees) {
-    const trig::SinCos q = trig::sin_cos(degrees);
+    const SinCos q = sin_cos(degrees);
     const auto i = static_cast<std::size_t>((axis + 1) % 3);
     const auto k = static_cast<std::size_t>((axis + 2) % 3);
     FeatureFrame turn;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Moves of a block: end positions from the words, and the motion to the end.
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include "control/machine.h"
 
@@ -205,8 +205,8 @@ bool Machine::polar_ends(const Command& command, Axes& end, AxisMask& mask) {
     const Axes at = to_programmed(state_.position);
     const double x = at[axes.first];
     const double y = at[axes.second];
-    double radius = trig::length_of(x, y);
-    double angle = trig::angle_of(x, y);
+    double radius = hypotenuse(x, y);
+    double angle = angle_of(x, y);
     const bool by_letters = command.has('@') || command.has('^');
     const auto take = [&](bool has, double value, double& what) {
         if (has) what = state_.incremental ? what + value : value;
@@ -220,7 +220,7 @@ bool Machine::polar_ends(const Command& command, Axes& end, AxisMask& mask) {
         take((mask & 1U << axes.first) != 0, command[kLetters[axes.first]], radius);
         take((mask & 1U << axes.second) != 0, command[kLetters[axes.second]], angle);
     }
-    const trig::SinCos direction = trig::sin_cos(angle);
+    const SinCos direction = sin_cos(angle);
     end[axes.first] = radius * direction.cos;
     end[axes.second] = radius * direction.sin;
     mask |= 1U << axes.first | 1U << axes.second;

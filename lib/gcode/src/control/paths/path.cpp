@@ -3,7 +3,7 @@
 // Motions in machine coordinates and in W, and the choice of W.
 #include "control/paths/path.h"
 
-#include "ncsim/trig/angles.h"
+#include "ncsim/base/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +58,7 @@ WorkOffset zero_of(const Axes& work_offset, const Axes& zero_92, double rotation
     zero.rotation = rotation;
     double x = zero_92[kX];
     double y = zero_92[kY];
-    trig::rotate(x, y, rotation);
+    rotate(x, y, rotation);
     for (std::size_t i = 0; i < zero.origin.size(); ++i) {
         const double shift = i == kX ? x : i == kY ? y : zero_92[i];
         zero.origin[i] = (work_offset[i] + shift) * (is_rotary(i) ? 1.0 : unit);
@@ -93,7 +93,7 @@ Path::Place Path::place(const MachineState& state, const Axes& at_plane) {
     const double mm = state.unit_mm();
     double x = p[kX];
     double y = p[kY];
-    trig::rotate(x, y, state.rotation);
+    rotate(x, y, state.rotation);
     const auto& g5x = state.work_offset;
     Place out;
     Position& at = out.machine;
@@ -145,7 +145,7 @@ Position Path::in_workpiece(const Place& place) const {
     Position at = place.machine;
     double x = at.x.mm() - w.origin[kX];
     double y = at.y.mm() - w.origin[kY];
-    trig::rotate(x, y, -w.rotation);
+    rotate(x, y, -w.rotation);
     at.x = Length::from_mm(x);
     at.y = Length::from_mm(y);
     at.z = Length::from_mm(at.z.mm() - w.origin[kZ]);
@@ -459,7 +459,7 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
     const double limit = options_.strict ? kFullCircleStrict : kFullCircle;
     const bool full = !arc.is_open && std::abs(x0 * y1 - y0 * x1) <= limit * (x0 * x0 + y0 * y0) &&
                       x0 * x1 + y0 * y1 > 0.0 &&
-                      trig::length_of(x1 - x0, y1 - y0) <= limit * trig::length_of(x0, y0) * 4;
+                      hypotenuse(x1 - x0, y1 - y0) <= limit * hypotenuse(x0, y0) * 4;
     const Place from = start(state);
     Axes centre = state.position;
     centre[axes.first] = arc.centre_1;

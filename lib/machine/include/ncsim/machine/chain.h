@@ -7,7 +7,7 @@
 // workpiece and T tool, parallel to M while all joints are at 0.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/machine/pose.h"
 
 #include <array>
@@ -28,9 +28,9 @@ std::optional<std::size_t> index_of(char letter);
 /// before the joint.
 struct Joint {
     char letter = 'X';
-    bool turns = false;   ///< False for a joint that moves along `direction`.
-    cda::Vec3 direction;  ///< Unit vector; the direction in which positive values move the tool.
-    cda::Vec3 through;    ///< A point on the axis of rotation, mm.
+    bool turns = false;  ///< False for a joint that moves along `direction`.
+    Vec3 direction;      ///< Unit vector; the direction in which positive values move the tool.
+    Vec3 through;        ///< A point on the axis of rotation, mm.
     bool operator==(const Joint&) const = default;
 };
 
@@ -39,7 +39,7 @@ struct Joint {
 /// whose scale has the opposite sign.
 enum class Positive { Tool, Part };
 /// Returns the joint, with the motion converted to that of the tool against the part.
-Joint joint_of(char letter, bool turns, cda::Vec3 direction, cda::Vec3 through = {},
+Joint joint_of(char letter, bool turns, Vec3 direction, Vec3 through = {},
                Positive positive = Positive::Tool);
 
 /// Joints from the part to the tool. Rotary and linear joints may be in any order.
@@ -57,7 +57,7 @@ struct Chain {
     /// Returns the chain in W. `zero` is the program zero in machine coordinates, `length` the
     /// distance of the tip below the spindle nose, mm. The tip is at the origin while all joints
     /// are at 0, and at (x, y, z) of the program while no joint is rotated.
-    Chain placed(cda::Vec3 zero, double length) const;
+    Chain placed(Vec3 zero, double length) const;
 
     /// Returns X_WT.
     /// Requires: the chain comes from placed().
@@ -68,7 +68,7 @@ struct Chain {
     Pose pose(const Values& values) const;
 
     /// Returns the displacement of the tip by U, V and W in W, mm.
-    cda::Vec3 shift_of_second_axes(const Values& values) const;
+    Vec3 shift_of_second_axes(const Values& values) const;
 };
 
 /// Returns a joint next to the tool that is no axis of the machine: the control moves X, Y and Z so
@@ -77,10 +77,10 @@ struct Chain {
 Joint along_tool(char letter);
 
 /// Rotates `p` by `value` degrees about the axis of the joint, or moves `p` by `value` mm along it.
-cda::Vec3 move_by_joint(const Joint& joint, double value, cda::Vec3 p);
+Vec3 move_by_joint(const Joint& joint, double value, Vec3 p);
 /// Returns the motion of the joint as a pose.
 Pose pose_of(const Joint& joint, double value);
 /// Rotates `direction` with the joint; a linear joint leaves `direction` unchanged.
-cda::Vec3 rotate_by_joint(const Joint& joint, double value, cda::Vec3 direction);
+Vec3 rotate_by_joint(const Joint& joint, double value, Vec3 direction);
 
 }  // namespace ncsim::machine

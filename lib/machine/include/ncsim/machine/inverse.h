@@ -25,11 +25,10 @@ struct Turns {
 /// the current joint values.
 /// Requires: at most two rotary joints. The result is empty for chains with more; programs for such
 /// machines must specify angles.
-std::vector<Turns> orientation_solutions(const Chain& placed, cda::Vec3 axis,
-                                         const Values& now = {});
+std::vector<Turns> orientation_solutions(const Chain& placed, Vec3 axis, const Values& now = {});
 
 /// Returns the joint values `turned`, with X, Y and Z replaced so that the tip is at `tip`; no
 /// value if the directions of X, Y and Z lie in one plane.
-std::optional<Values> values_for(const Chain& placed, cda::Vec3 tip, const Values& turned);
+std::optional<Values> values_for(const Chain& placed, Vec3 tip, const Values& turned);
 
 }  // namespace ncsim::machine

@@ -36,7 +36,7 @@ const Joint* master_of(const Chain& chain);
 /// The order of criteria is: least motion of the master joint, least motion of the second rotary
 /// joint, master position nearest to 0, second position nearest to 0. No value if no solution is
 /// allowed. Source: Fanuc 16i/18i-MB operator's manual, "Angle of rotation axis".
-std::optional<Turns> orient(const Chain& placed, cda::Vec3 axis, const Values& now,
+std::optional<Turns> orient(const Chain& placed, Vec3 axis, const Values& now,
                             const Travels& travels = {},
                             SolutionPreference prefer = SolutionPreference::Shortest);
 

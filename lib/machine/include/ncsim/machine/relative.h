@@ -4,7 +4,7 @@
 // seen from another, and bounds of its motion.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/machine/chain.h"
 
 #include <array>
@@ -35,7 +35,7 @@ struct JointMotion {
 /// Ball that contains a body whose points already move, with bounds of their speed and their second
 /// derivative. mm.
 struct Ball {
-    cda::Vec3 centre;
+    Vec3 centre;
     double radius = 0.0;
     double speed = 0.0, bend = 0.0;
 };

@@ -7,7 +7,7 @@
 // hide behind a known motion.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/report/checked.h"
 #include "ncsim/report/entry.h"
 #include "ncsim/verify/selection.h"
@@ -34,7 +34,7 @@ struct KnownFinding {
     bool goes_on = false;
     std::string row;  ///< For several motions: verify::Finding::row, in hexadecimal.
     std::optional<verify::Quantity> quantity;
-    cda::Box box;     ///< Place of the finding in W, mm; may be empty.
+    Box box;          ///< Place of the finding in W, mm; may be empty.
     std::string why;  ///< Reason for acceptance, written by the user.
     bool operator==(const KnownFinding&) const = default;
 };

@@ -4,8 +4,8 @@
 // pages.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/report/design_facts.h"
 #include "ncsim/report/length_unit.h"
 #include "ncsim/report/play_data.h"
@@ -30,13 +30,13 @@ struct MachinePageData {
     struct Joint {
         std::size_t axis = 0;
         bool turns = false;
-        cda::Vec3 direction, through;
+        Vec3 direction, through;
     };
     /// A body of the machine or of a tool.
     struct Body {
         std::string name;
         std::array<std::uint8_t, 3> colour{};  ///< sRGB.
-        cda::TriangleMesh mesh;                ///< Machine coordinates with all joints at 0, mm.
+        TriangleMesh mesh;                     ///< Machine coordinates with all joints at 0, mm.
         std::vector<Joint> moved_by;           ///< Joints that move the body, from the bed on.
         std::int32_t tool = -1;  ///< Body of this tool (Stand::tool); -1: body of the machine.
     };
@@ -47,7 +47,7 @@ struct MachinePageData {
     };
     std::vector<Body> bodies;
     std::vector<Joint> part_moved_by;
-    cda::Vec3 zero;  ///< Origin of the program's frame, with all joints at 0.
+    Vec3 zero;  ///< Origin of the program's frame, with all joints at 0.
     /// By line; for a line that runs several times, the last time.
     std::map<std::uint32_t, LinePose> line_poses;
     /// By index of a finding in which bodies meet: where the bodies meet.
@@ -58,14 +58,14 @@ struct MachinePageData {
 struct FaceForm {
     std::string name;                ///< "plane", "cylinder" …
     std::vector<double> dimensions;  ///< Diameters in mm; for a cone, the full angle in degrees.
-    cda::Vec3 axis;                  ///< Unit direction; zero: none.
-    cda::Vec3 origin;                ///< A point on the axis, mm.
+    Vec3 axis;                       ///< Unit direction; zero: none.
+    Vec3 origin;                     ///< A point on the axis, mm.
     bool is_hollow = false;          ///< The material surrounds the form, as around a bore.
 };
 
 /// Surface of a part with its distances from the design.
 struct DeviationMesh {
-    cda::TriangleMesh mesh;  ///< mm, W.
+    TriangleMesh mesh;  ///< mm, W.
     /// For each vertex, mm; positive: material is left, negative: the part is cut into the design.
     std::vector<double> deviation_mm;
     double tolerance_mm = 0.0;
@@ -76,12 +76,12 @@ struct PageData {
     LengthUnit unit = LengthUnit::Millimetre;  ///< Of texts, and at first of the viewer.
     std::string source;                        ///< Text of the program.
     std::string title;                         ///< Name of the program file.
-    cda::Box stock;                            ///< mm
-    cda::TriangleMesh mesh;  ///< Surface of the part; empty if nothing was simulated.
+    Box stock;                                 ///< mm
+    TriangleMesh mesh;  ///< Surface of the part; empty if nothing was simulated.
     /// For each triangle, the line that cut the triangle; 0: the stock.
     std::vector<std::uint32_t> lines;
     /// Three unit normals for each triangle: the normals of the true surface in the corners.
-    std::vector<cda::Vec3> normals;
+    std::vector<Vec3> normals;
     std::vector<FaceForm> forms;         ///< Recognised forms.
     std::vector<std::uint32_t> form_of;  ///< For each triangle, index into `forms` plus 1; 0: none.
     std::vector<std::uint32_t> tool_of;  ///< For each triangle, number of the tool; 0: the stock.
@@ -128,7 +128,7 @@ struct Checked {
     std::string baseline;  ///< File of known findings; empty: none.
     std::vector<ResolvedFinding> resolved;  ///< Findings of the baseline that were not found.
     std::string stock;                      ///< Stock, as text.
-    cda::Box stock_box;                     ///< Its box, mm; empty: not known.
+    Box stock_box;                          ///< Its box, mm; empty: not known.
     std::string time;                       ///< Machining time, as text; empty: no motion.
     std::optional<double> seconds;          ///< Machining time; empty: not known.
     std::uint64_t moves = 0;

@@ -3,7 +3,7 @@
 // Descriptions of boxes, stock, volumes and lines.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/verify/region.h"
 
@@ -13,7 +13,7 @@
 namespace ncsim::report {
 
 /// Returns "50 x 40 x 10 mm, X 0 to 50, Y 0 to 40, Z -10 to 0".
-std::string describe(const cda::Box& box);
+std::string describe(const Box& box);
 /// Returns a description of the stock: its kind, box and file.
 std::string describe(const toolpath::Stock& stock);
 

@@ -3,7 +3,7 @@
 // Comparison of the part with the design, as numbers and as text.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -30,7 +30,7 @@ struct DesignFacts {
 struct DesignPlace {
     bool is_gouge = false;   ///< Otherwise material is left.
     double depth_mm = 0.0;   ///< Largest deviation.
-    cda::Vec3 point;         ///< Point of the largest deviation; mm, W.
+    Vec3 point;              ///< Point of the largest deviation; mm, W.
     std::uint32_t line = 0;  ///< Line that cut the part there; 0: none, or in a called file.
 };
 

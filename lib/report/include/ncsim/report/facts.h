@@ -3,8 +3,8 @@
 // Facts about a program: before the cut, about the cut, and about the part.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/lattice.h"
-#include "ncsim/cda/vec.h"
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/interpreter.h"
@@ -37,7 +37,7 @@ struct ProgramFacts {
     /// Rapid moves of several of X, Y and Z: the boxes of the moves, mm in W, and the blocks. A
     /// machine may move straight or as a dog-leg.
     struct SlantingRapid {
-        cda::Box box;
+        Box box;
         std::uint32_t file = 0;
         gcode::SourceSpan span;
     };
@@ -45,7 +45,7 @@ struct ProgramFacts {
     bool calls_tools = false;    ///< True if the program changes tools.
     bool units_assumed = false;  ///< True if neither the program nor the user specifies the unit.
     bool uses_machine_coordinates = false;
-    cda::Box tip_positions;  ///< Tip positions of all moves with a known start, mm, in W.
+    Box tip_positions;  ///< Tip positions of all moves with a known start, mm, in W.
     std::map<int, verify::Distances> distances;  ///< By tool number.
     std::map<int, UsedTool> tools;               ///< Tools that move.
     /// Operation: blocks of a tool between names in comments.

@@ -3,7 +3,7 @@
 // Measures of a part that a calliper would give, as text and as JSON.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/report/length_unit.h"
 
 #include <cstddef>
@@ -32,7 +32,7 @@ struct CutBy {
 
 /// Cylinder around air, more than half of a circle.
 struct MeasuredBore {
-    cda::Vec3 mouth, axis;
+    Vec3 mouth, axis;
     double diameter = 0.0, depth = 0.0, mouth_slants_by = 0.0, covers_degrees = 360.0;
     std::string end;  ///< "through", "flat" …
     std::optional<double> tip_depth{}, tip_angle_degrees{};
@@ -40,7 +40,7 @@ struct MeasuredBore {
 };
 /// Cone around air, more than half of a circle, that opens at its wide end.
 struct MeasuredCountersink {
-    cda::Vec3 mouth, axis;
+    Vec3 mouth, axis;
     double diameter = 0.0, depth = 0.0, angle_degrees = 0.0, covers_degrees = 360.0;
     bool has_tip = false;
     CutBy by{};
@@ -48,12 +48,12 @@ struct MeasuredCountersink {
 /// Plane or cone in the place of an edge: lengths along the adjacent faces, angle to the first.
 struct MeasuredChamfer {
     double width = 0.0, height = 0.0, angle_degrees = 0.0, length = 0.0;
-    cda::Vec3 at;
+    Vec3 at;
     CutBy by{};
 };
 /// Thread by a tap or a thread mill, as the program says.
 struct MeasuredThread {
-    cda::Vec3 mouth;
+    Vec3 mouth;
     double diameter = 0.0;
     std::optional<double> pitch{};  ///< Unknown: a tap without a pitch.
     double depth = 0.0;             ///< From the mouth to the lowest position of the tip.
@@ -62,7 +62,7 @@ struct MeasuredThread {
 };
 /// Cylinder around material, more than half of a circle.
 struct MeasuredBoss {
-    cda::Vec3 foot, axis;
+    Vec3 foot, axis;
     double diameter = 0.0, height = 0.0, covers_degrees = 360.0;
     CutBy by{};
 };
@@ -71,28 +71,28 @@ struct MeasuredCorner {
     double radius = 0.0;
     bool is_inside = true;
     double covers_degrees = 0.0;
-    cda::Vec3 on_axis, axis;
+    Vec3 on_axis, axis;
     CutBy by{};
 };
 /// Plane face that looks up.
 struct MeasuredFloor {
     double z = 0.0, area = 0.0;
     bool is_closed = false;
-    cda::Box box;
+    Box box;
     CutBy by{};
 };
 /// Distance of two parallel faces with air (`is_void`) or with material between.
 struct MeasuredDistance {
     double mm = 0.0;
     bool is_void = true;
-    cda::Vec3 from, to;
+    Vec3 from, to;
     CutBy by{};
 };
 
 /// All measures of a part. Lengths are in mm, in the frame W.
 struct MeasureSheet {
     std::string program;
-    cda::Box extents;
+    Box extents;
     double volume_mm3 = 0.0;
     std::vector<MeasuredBore> bores;
     std::vector<MeasuredThread> threads{};

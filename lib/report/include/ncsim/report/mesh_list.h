@@ -3,7 +3,7 @@
 // List of the files of a surface that is split into several files.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 
 #include <cstddef>
 #include <iosfwd>
@@ -16,13 +16,13 @@ namespace ncsim::report {
 struct MeshFile {
     std::string file;    ///< Path relative to the list.
     std::string sha256;  ///< Digest of the bytes, in hexadecimal.
-    cda::Box box;        ///< Extents in W, mm.
+    Box box;             ///< Extents in W, mm.
     std::size_t faces = 0;
     std::size_t open_edges = 0;  ///< Edges of triangles whose partner is in another file.
 };
 
 /// Writes JSON, a line for each file.
-void write_mesh_list(std::ostream& out, const std::string& program, cda::Vec3 centre,
+void write_mesh_list(std::ostream& out, const std::string& program, Vec3 centre,
                      const std::vector<MeshFile>& files);
 
 }  // namespace ncsim::report

@@ -3,7 +3,7 @@
 // Data with which a page plays a program: states of the part, path and tools.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/surface_recorder.h"
 
 #include <array>
@@ -16,7 +16,7 @@ namespace ncsim::report {
 
 /// A body of one colour.
 struct ColouredMesh {
-    cda::TriangleMesh mesh;                ///< mm
+    TriangleMesh mesh;                     ///< mm
     std::array<std::uint8_t, 3> colour{};  ///< sRGB
     std::string name{};                    ///< As findings name the body; empty: none.
 };
@@ -49,8 +49,8 @@ struct PlayData {
     std::vector<std::uint32_t> line_of_origin;  ///< Line of each origin in `surface`.
     std::vector<PlayState> states;              ///< By state of `surface`.
     std::vector<PlayMove> moves;
-    std::vector<cda::Vec3> points;  ///< Positions of the tip.
-    std::vector<cda::Vec3> axes;    ///< Direction of the tool in each point, from the tip up.
+    std::vector<Vec3> points;  ///< Positions of the tip.
+    std::vector<Vec3> axes;    ///< Direction of the tool in each point, from the tip up.
     std::vector<PlayTool> tools;
     bool feeds_known = true;  ///< False: moves without a feed are timed at 1000 mm/min.
 };

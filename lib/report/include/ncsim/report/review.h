@@ -36,8 +36,8 @@ struct ReviewSide {
 struct ReviewRegion {
     bool is_only_old = true;  ///< False: only the new part has the material.
     double volume_mm3 = 0.0;
-    cda::Box box;     ///< mm
-    cda::Vec3 point;  ///< A point of the surface, mm.
+    Box box;     ///< mm
+    Vec3 point;  ///< A point of the surface, mm.
     /// Lines of each program that left a surface of the material, or removed the material.
     std::vector<verify::LineRange> old_lines, new_lines;
     bool has_stock_surface = false;  ///< A surface of the material is uncut stock.

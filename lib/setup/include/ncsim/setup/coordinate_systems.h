@@ -4,7 +4,7 @@
 // their origins.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/gcode/interpreter.h"
 
 #include <optional>
@@ -18,8 +18,8 @@ std::optional<int> system_named(const std::string& name);
 std::string name_of_system(int system);
 
 /// Sets the origin of a coordinate system, in machine coordinates, mm.
-void tell_offset(gcode::InterpreterOptions& options, int system, cda::Vec3 origin);
+void tell_offset(gcode::InterpreterOptions& options, int system, Vec3 origin);
 /// Returns the specified origin in machine coordinates, mm; empty if unspecified.
-std::optional<cda::Vec3> origin_of(const gcode::InterpreterOptions& options, int system);
+std::optional<Vec3> origin_of(const gcode::InterpreterOptions& options, int system);
 
 }  // namespace ncsim::setup

@@ -3,7 +3,7 @@
 // Job: the text of a program, with its tools, stock and options.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/source.h"
@@ -47,7 +47,7 @@ struct Job {
     bool fixtures_specified = false;    ///< Also true if the specified list is empty.
     std::optional<double> below_stock;  ///< Free space below the stock, mm.
     /// Place of the tool when the program starts, in G54 as it is at the first move, mm.
-    std::optional<cda::Vec3> start;
+    std::optional<Vec3> start;
     gcode::Diagnostics diagnostics;  ///< Warnings about contradictory comments and tables.
     /// True if the unit of programs without G20 and G21 is unspecified.
     bool units_assumed = true;

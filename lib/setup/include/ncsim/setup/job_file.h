@@ -5,7 +5,7 @@
 // assumptions until the mark is removed.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/gcode/dialect.h"
 #include "ncsim/gcode/source.h"
 #include "ncsim/setup/input.h"
@@ -41,11 +41,11 @@ struct JobSetUp {
     /// Position of the part: the part that the previous set-up left, turned about the zero of that
     /// set-up, then moved.
     std::string turn;
-    cda::Vec3 move{};
+    Vec3 move{};
     /// Work zero in the frame of part and fixtures.
-    cda::Vec3 zero{};
-    std::optional<cda::Vec3> start;
-    std::map<int, cda::Vec3> offsets;
+    Vec3 zero{};
+    std::optional<Vec3> start;
+    std::map<int, Vec3> offsets;
     std::map<std::string, double> variables;
     std::vector<verify::Fixture> fixtures;
     bool fixtures_specified = false;
@@ -67,9 +67,9 @@ struct JobFile {
     std::map<std::string, double> variables;  ///< Initial values: "#500", "#<_depth>".
     std::map<int, double> compensation;       ///< Radii in the registers D, by number, mm.
     std::vector<std::string> allow, accept, require;
-    std::optional<cda::Vec3> start;    ///< Initial tool position, in G54.
-    std::map<int, cda::Vec3> offsets;  ///< Origins in machine coordinates, by MachineState::system.
-    std::string holders;               ///< Name of a file, as written.
+    std::optional<Vec3> start;    ///< Initial tool position, in G54.
+    std::map<int, Vec3> offsets;  ///< Origins in machine coordinates, by MachineState::system.
+    std::string holders;          ///< Name of a file, as written.
     std::optional<toolpath::Stock> stock;
     std::vector<toolpath::ToolEntry> tools;  ///< Including ToolSpec::assumed.
     /// Set-ups in the order of machining; empty if `program` is the only one.

@@ -3,7 +3,7 @@
 // Options of a job: values that the program does not contain.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/gcode/dialect.h"
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/tool_spec.h"
@@ -25,7 +25,7 @@ struct JobOptions {
     std::optional<toolpath::Stock> stock;
     /// Placement of a stock from a file.
     std::optional<std::string> stock_turn;
-    std::optional<cda::Vec3> stock_move;
+    std::optional<Vec3> stock_move;
     std::vector<toolpath::ToolSpec> tools;
     /// Specification used for undescribed tools; its number is 0.
     std::optional<toolpath::ToolSpec> assumed_tool;
@@ -38,9 +38,9 @@ struct JobOptions {
     std::optional<toolpath::Stock> left_stock;
     std::vector<std::string> tool_tables;  ///< Files of tool tables.
     std::string holders;                   ///< File of holders; empty if none.
-    std::optional<cda::Vec3> start;        ///< Initial tool position, in G54.
+    std::optional<Vec3> start;             ///< Initial tool position, in G54.
     /// Origins of coordinate systems in machine coordinates, by gcode::MachineState::system.
-    std::map<int, cda::Vec3> offsets;
+    std::map<int, Vec3> offsets;
     bool inches_assumed = false;  ///< True if a job file marks `inches` as assumed.
     std::optional<bool> inches;   ///< Unit of programs without G20 and G21; default: mm.
     /// True if numbers without a point count least increments; unspecified means false.

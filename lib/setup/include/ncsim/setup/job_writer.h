@@ -3,7 +3,7 @@
 // Writes job files: the set-up of a run, and a first job for the user to complete.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/setup/job_file.h"
 
 #include <cstdint>
@@ -25,8 +25,8 @@ struct JobRemarks {
 /// A set-up of a first job file, for write_first_job().
 struct FirstSetUp {
     std::string name, program;
-    std::string zero;   ///< Coordinate system of the first cut: "G54".
-    cda::Vec3 start{};  ///< Tool position at the start, in G54.
+    std::string zero;  ///< Coordinate system of the first cut: "G54".
+    Vec3 start{};      ///< Tool position at the start, in G54.
     bool start_is_specified = false;
     double height = 0.0;  ///< Height of the stock; the move of a part that is turned over.
 };

@@ -3,7 +3,7 @@
 // Bodies of a machine's links.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/machine/chain.h"
 
 #include <array>
@@ -19,7 +19,7 @@ struct MachineBody {
     std::string link;
     std::string parent;                   ///< Link that carries this link; empty for the bed.
     std::optional<machine::Joint> joint;  ///< Joint between both links, as a motion of this link.
-    cda::TriangleMesh mesh;               ///< Closed; machine coordinates with all joints at 0, mm.
+    TriangleMesh mesh;                    ///< Closed; machine coordinates with all joints at 0, mm.
     std::array<std::uint8_t, 3> colour{170, 178, 190};  ///< sRGB.
     bool is_transparent = false;                        ///< In pictures.
     /// Joints that move the link, from the bed on, each as a motion of the link.
@@ -33,10 +33,10 @@ struct MachineBody {
 };
 
 /// Returns the body's corners with the joints at `values`, in machine coordinates, mm.
-std::vector<cda::Vec3> corners_at(const MachineBody& body, const machine::Values& values);
+std::vector<Vec3> corners_at(const MachineBody& body, const machine::Values& values);
 
 /// Returns the point of the part that is at `p_M`, machine coordinates, with the joints at
 /// `values`: its position with all joints at 0. `moved_by` moves the part.
-cda::Vec3 on_part(const machine::Chain& moved_by, const machine::Values& values, cda::Vec3 p_M);
+Vec3 on_part(const machine::Chain& moved_by, const machine::Values& values, Vec3 p_M);
 
 }  // namespace ncsim::setup

@@ -25,8 +25,8 @@ struct MachineFile {
     /// Limits and positions of the machine. The position of the workpiece in the machine also
     /// depends on the program.
     verify::MachineDescription machine;
-    std::map<int, cda::Vec3> offsets;  ///< By MachineState::system, machine coordinates, mm.
-    std::optional<cda::Vec3> start;    ///< Initial tool position, machine coordinates.
+    std::map<int, Vec3> offsets;  ///< By MachineState::system, machine coordinates, mm.
+    std::optional<Vec3> start;    ///< Initial tool position, machine coordinates.
     std::optional<SpecifiedKinematics> kinematics;
     std::vector<MachineBody> bodies;       ///< Links with a mesh.
     std::vector<MachineBody> other_links;  ///< Links without a mesh.

@@ -3,7 +3,7 @@
 // Closed surfaces in files exported by CAD systems: fixtures, designs.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/setup/input.h"
 
 #include <string>
@@ -16,7 +16,7 @@ inline constexpr double kStepDeflectionMm = 0.01;
 
 /// Content of a surface file.
 struct SurfaceFile {
-    cda::TriangleMesh mesh;
+    TriangleMesh mesh;
     /// Names of the faces that mesh.face counts; empty if the file has no faces.
     std::vector<std::string> face_names{};
     /// Largest distance between the mesh and the body that the file describes.

@@ -4,7 +4,7 @@
 // verdict.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/gcode/motion.h"
 #include "ncsim/toolpath/kinematics.h"
 
@@ -41,7 +41,7 @@ private:
     double step_mm() const;
     double hole_spacing_mm() const;
 
-    cda::Box tips_;
+    Box tips_;
     std::size_t moves_ = 0, falling_ = 0, slanting_ = 0;
     double length_mm_ = 0.0;
     double smallest_arc_mm_ = std::numeric_limits<double>::infinity();

@@ -3,7 +3,7 @@
 // Comparison of the part with its design.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/report/design_facts.h"
 #include "ncsim/setup/input.h"
 #include "ncsim/simulation/simulate.h"
@@ -17,7 +17,7 @@ namespace ncsim::simulation {
 /// A design and its tolerance.
 struct Design {
     std::string path;  ///< Path on the command line.
-    cda::TriangleMesh mesh;
+    TriangleMesh mesh;
     double tolerance_mm = 0.0;
     std::vector<std::string> face_names{};  ///< Names of the faces that mesh.face counts, if any.
     /// Largest distance between the triangles and the design, less than the tolerance. Deviations

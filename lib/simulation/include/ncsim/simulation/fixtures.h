@@ -3,7 +3,7 @@
 // Position of fixtures relative to the part.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/export/overlay.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/survey.h"
@@ -30,7 +30,7 @@ exporter::Body body_of(const verify::Fixture& fixture);
 
 /// Returns `stock` grown by the parts of the fixtures within half a diagonal of the stock: the box
 /// of a picture that shows the part in its fixtures.
-cda::Box box_with_fixtures(const cda::Box& stock, std::span<const verify::Fixture> fixtures);
+Box box_with_fixtures(const Box& stock, std::span<const verify::Fixture> fixtures);
 
 /// Returns a bound for the distance of points of the fixtures from each other and from W's zero, in
 /// mm: an addition to Camera::depth.

@@ -6,7 +6,7 @@
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/export/overlay.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 #include "ncsim/report/facts.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/survey.h"
@@ -35,8 +35,8 @@ struct Cut {
 /// The part, with facts about the run.
 struct Simulation : report::PartFacts {
     std::unique_ptr<cda::WorkpieceModel> part;
-    exporter::Provenance provenance;  ///< For the origins in `part`.
-    std::vector<Cut> cuts;            ///< For the same origins, if kept.
+    mesh::Provenance provenance;  ///< For the origins in `part`.
+    std::vector<Cut> cuts;        ///< For the same origins, if kept.
     /// Sources of the stock's faces, which have the first origins; null: all are the stock.
     std::shared_ptr<const StockHistory> history;
     std::optional<cda::Boundary> boundary;  ///< Boundary of `part`, if kept.
@@ -107,7 +107,7 @@ struct Verification {
     std::optional<std::uint64_t> only_motion;
     /// Simulation::tool_position is not the end of the last motion, but the pose with the tip
     /// nearest to this point.
-    std::optional<cda::Vec3> nearest_to;
+    std::optional<Vec3> nearest_to;
     /// The last motion removes nothing. Requires: `only_motion`.
     bool last_removes_nothing = false;
     /// More steps of the tools, anywhere, throw StepLimit.

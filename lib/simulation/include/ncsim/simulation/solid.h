@@ -35,7 +35,7 @@ struct Refinement {
 /// A solid with the accuracy of its cut.
 struct Solid {
     brep::Recognised recognised;
-    exporter::Provenance provenance;  ///< For the origins of the solid.
+    mesh::Provenance provenance;  ///< For the origins of the solid.
     /// Tolerances of round tools and of arcs in the cut that determined which surfaces meet; equal
     /// to the plan's unless a second cut was better.
     double tool_tolerance_mm = 0.0, arc_tolerance_mm = 0.0;

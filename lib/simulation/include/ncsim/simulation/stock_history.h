@@ -6,7 +6,7 @@
 
 #include "ncsim/brep/swept_surfaces.h"
 #include "ncsim/cda/shape.h"
-#include "ncsim/export/provenance.h"
+#include "ncsim/mesh/provenance.h"
 #include "ncsim/toolpath/stock.h"
 
 #include <memory>
@@ -18,7 +18,7 @@ namespace ncsim::simulation {
 /// Sources of the faces of a stock, mm, in the frame of the program. Entry i belongs to Origin{i};
 /// entry 0 is the stock of the first run.
 struct StockHistory {
-    std::vector<exporter::Provenance::Entry> entries;
+    std::vector<mesh::Provenance::Entry> entries;
     std::vector<std::string> programs;  ///< Names that entries refer to, from 1.
     std::vector<brep::SweptSurfaces> surfaces;
 };
@@ -30,8 +30,7 @@ struct StockHistory {
 std::shared_ptr<const StockHistory> read_stock_history(const toolpath::Stock& stock);
 
 /// Returns the record of `entry` for read_stock_history(), with the candidates of `source`.
-cda::ShapeSource record_of(const exporter::Provenance& provenance,
-                           const exporter::Provenance::Entry& entry,
+cda::ShapeSource record_of(const mesh::Provenance& provenance, const mesh::Provenance::Entry& entry,
                            const brep::SweptSurfaces& source);
 
 }  // namespace ncsim::simulation

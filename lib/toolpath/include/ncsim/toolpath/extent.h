@@ -3,7 +3,7 @@
 // Boxes around motions, for comparison with the travels of a machine.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/gcode/motion.h"
 #include "ncsim/toolpath/kinematics.h"
 
@@ -20,12 +20,12 @@ namespace ncsim::toolpath {
 /// - the box of two balls about the centre, at start and end, for arcs in tilted planes,
 /// - enlarged by the reach of U, V and W under tip control, if these axes move the tip on an arc,
 ///   on a spline or during a rotary move.
-cda::Box extent_of_path(const gcode::Motion& motion, const Poses& poses);
+Box extent_of_path(const gcode::Motion& motion, const Poses& poses);
 
 /// Returns the box of the machine's X, Y and Z (mm, relative to the program zero) during `motion`,
 /// for a motion that does not give these positions, such as a move under tip control. The axes are
 /// computed every 0.25 degrees and at the ends, so the box may be too small by 2.4 µm per metre of
 /// distance from the rotary axes. Empty if the axes cannot bring the tip to the path.
-cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine);
+Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine);
 
 }  // namespace ncsim::toolpath

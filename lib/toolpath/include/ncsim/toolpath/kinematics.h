@@ -32,7 +32,7 @@ machine::Values values_of(const gcode::Position& position);
 struct Kinematics {
     machine::Chain chain;  ///< In machine coordinates.
     /// Origin of W in machine coordinates, mm. It matters if axes are programmed and tables rotate.
-    cda::Vec3 zero;
+    Vec3 zero;
 };
 
 /// Poses of the tool during one motion, for a specified machine or for the default machine.
@@ -46,13 +46,13 @@ public:
     Pose at(const gcode::Position& position) const;
     /// Returns the linear axes X + U, Y + V, Z + W; under tip control the tip: X, Y and Z plus the
     /// shift by U, V and W. In mm.
-    cda::Vec3 place(const gcode::Position& position) const;
+    Vec3 place(const gcode::Position& position) const;
     /// Returns the part of place() that no axis rotates: under tip control without U, V and W. In
     /// mm.
-    cda::Vec3 unrotated_place(const gcode::Position& position) const;
+    Vec3 unrotated_place(const gcode::Position& position) const;
     /// Returns the shift of the tip by U, V and W under tip control, which rotates with the axes;
     /// otherwise 0. In mm.
-    cda::Vec3 shift(const gcode::Position& position) const;
+    Vec3 shift(const gcode::Position& position) const;
     /// Returns the chain of joints in W. Null for the default machine without tip control.
     const machine::Chain* chain() const { return chain_ ? &*chain_ : nullptr; }
     /// True if X, Y and Z are the tip's position in W (tip control).
@@ -68,6 +68,6 @@ private:
 gcode::Position interpolate(const gcode::Position& a, const gcode::Position& b, double t);
 
 /// Returns X + U, Y + V, Z + W in mm.
-cda::Vec3 linear_axes(const gcode::Position& position);
+Vec3 linear_axes(const gcode::Position& position);
 
 }  // namespace ncsim::toolpath

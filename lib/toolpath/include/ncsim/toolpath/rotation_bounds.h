@@ -65,7 +65,7 @@
 // that makes the hulls has to cut at the same heights.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/toolpath/tool.h"
 #include "ncsim/toolpath/tool_pose.h"
 

@@ -74,7 +74,7 @@ struct Samples {
 /// a quarter, half and three quarters of the step. This is tested at these points, not proved
 /// between them.
 Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options,
-               const std::optional<cda::Box>& place = {}, const Kinematics* specified = nullptr);
+               const std::optional<Box>& place = {}, const Kinematics* specified = nullptr);
 
 /// Returns how far (mm) a point of the tool can get from its positions at both ends of a straight
 /// move or an arc, rotation about the tool's own axis excepted. `reach_mm` is the largest distance

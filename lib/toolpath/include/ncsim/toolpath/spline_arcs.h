@@ -3,7 +3,7 @@
 // Approximation of splines by lines and arcs.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/gcode/motion.h"
 
 #include <vector>
@@ -12,8 +12,8 @@ namespace ncsim::toolpath {
 
 /// A line or an arc parallel to XY, as a piece of a spline.
 struct SplinePiece {
-    cda::Vec3 from, to;          ///< mm, in the frame of the spline.
-    cda::Vec3 centre;            ///< Centre of an arc, mm.
+    Vec3 from, to;               ///< mm, in the frame of the spline.
+    Vec3 centre;                 ///< Centre of an arc, mm.
     double radius = 0.0;         ///< mm; 0 for a line.
     double swept_degrees = 0.0;  ///< Angle of an arc, counter-clockwise positive.
     /// False if the piece continues the preceding piece tangentially.

@@ -3,10 +3,10 @@
 // The body of material that a program starts with, specified or derived from the cutting moves.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/lattice.h"
 #include "ncsim/cda/shape.h"
-#include "ncsim/cda/vec.h"
 
 #include <array>
 #include <limits>
@@ -22,14 +22,14 @@ struct StockFile {
     std::string path;
     /// Rotations by right angles about the program's axes, for example "X180".
     std::string turn{};
-    cda::Vec3 move{};  ///< Translation after the rotation, mm.
+    Vec3 move{};  ///< Translation after the rotation, mm.
     bool operator==(const StockFile&) const = default;
 };
 
 /// A block, a round bar in its box (square across the bar's axis), or a body from a file in its
 /// box. In mm, in the frame of the program.
 struct Stock {
-    cda::Box box;
+    Box box;
     bool is_round = false;
     int axis = 2;  ///< Axis of a bar: 0, 1, 2 for X, Y, Z.
     std::optional<StockFile> from{};
@@ -57,7 +57,7 @@ struct Stock {
 std::optional<Stock> parse_stock_option(std::string_view text, std::string& message);
 
 /// Reads "x,y,z".
-std::optional<cda::Vec3> parse_triple(std::string_view text);
+std::optional<Vec3> parse_triple(std::string_view text);
 
 /// Returns the stock on its lattice. A bar is a prism whose sides touch the circle and whose
 /// corners lie at most `tolerance_mm` outside the circle.
@@ -95,16 +95,15 @@ private:
 /// highest cutting position of a tool tip, `highest_tip`, or a step above it if `levels` shows
 /// passes in equal steps, because the first pass removed a step, too. The block is at least 1 mm
 /// thick.
-DerivedStock derive_stock(const cda::Box& swept, double highest_tip,
-                          const HighestLevels& levels = {});
+DerivedStock derive_stock(const Box& swept, double highest_tip, const HighestLevels& levels = {});
 /// Derives a sheet of 1 mm directly below the path, for a path of unknown height.
-DerivedStock derive_sheet(const cda::Box& tips);
+DerivedStock derive_sheet(const Box& tips);
 /// Derives a bar about `axis` (0, 1, 2) through the program zero, for a part that rotates about
 /// that axis. The bar's radius is `radius`, the largest distance of the tips from the axis during
 /// cuts. The ends have the allowance of derive_stock().
-DerivedStock derive_bar(const cda::Box& swept, int axis, double radius);
+DerivedStock derive_bar(const Box& swept, int axis, double radius);
 /// Derives a block around all cutting positions of the tips, for a part that rotates about several
 /// axes.
-DerivedStock derive_block(const cda::Box& tips);
+DerivedStock derive_block(const Box& tips);
 
 }  // namespace ncsim::toolpath

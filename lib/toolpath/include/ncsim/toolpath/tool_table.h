@@ -3,7 +3,7 @@
 // Tools and stock in the comments of programs, which CAM systems write in many forms.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/source.h"
 #include "ncsim/toolpath/operation_name.h"
@@ -28,7 +28,7 @@ struct ToolEntry {
     gcode::SourceSpan span;
     std::string text{};  ///< As written.
     std::string file{};  ///< Name of the tool table; empty for the program.
-    cda::Vec3 offset{};  ///< Offset that G43 applies, mm; some tables specify it.
+    Vec3 offset{};       ///< Offset that G43 applies, mm; some tables specify it.
 };
 
 /// A stock and the place where it was specified.
@@ -46,7 +46,7 @@ struct StockEntry : Stock {
 struct ProgramNotes {
     std::vector<ToolEntry> tools;  ///< At most one per number, in the order of the program.
     std::optional<StockEntry> stock;
-    std::optional<cda::Vec3> start;  ///< FROM/X,Y,Z, in mm.
+    std::optional<Vec3> start;  ///< FROM/X,Y,Z, in mm.
     /// Names of operations in the order of lines: none if there are more than 200 different ones,
     /// and none that stands there more than five times.
     std::vector<OperationName> operations;

@@ -59,17 +59,16 @@ public:
 
     /// Returns a box (mm) around all cells that trace() makes of these poses, except for the slack.
     /// The box is fast to compute, before tracing.
-    cda::Box bounds(const Pose& X_WA, const Pose& X_WB,
-                    const SweepSimplification& liberties = {}) const;
+    Box bounds(const Pose& X_WA, const Pose& X_WB, const SweepSimplification& liberties = {}) const;
     /// True if the bounds of a hull that trace() makes of these poses overlap `place` (mm).
     /// Requires: the poses have the same orientation.
-    bool meets(const cda::Box& place, const Pose& X_WA, const Pose& X_WB);
+    bool meets(const Box& place, const Pose& X_WA, const Pose& X_WB);
 
     /// Returns the largest distance of a corner from the tool axis, mm.
     double radius_mm() const { return radius_ * lattice_.unit_mm; }
 
     /// Rows of a rotation matrix.
-    using Rotation = std::array<cda::Vec3, 3>;
+    using Rotation = std::array<Vec3, 3>;
     /// Box of the tool relative to its tip, along each axis, in lattice units.
     struct Reach {
         cda::LatticePoint low, high;
@@ -77,7 +76,7 @@ public:
     /// Returns the reach of the tool in the orientation of X_WT.
     Reach reach(const Pose& X_WT) const { return reach(X_WT.rows, high_); }
     /// Returns bounds() of two poses that both have this reach.
-    cda::Box bounds(const Pose& X_WA, const Pose& X_WB, const Reach& reach) const;
+    Box bounds(const Pose& X_WA, const Pose& X_WB, const Reach& reach) const;
 
     /// Returns the dimensions of the cutting pieces.
     const ToolExtent& extent() const { return extent_; }

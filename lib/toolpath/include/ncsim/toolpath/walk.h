@@ -62,7 +62,7 @@ const gcode::Linear* straight_upright(const gcode::Motion& motion);
 /// Places and parts of the tool to follow in addition to the cutter in the stock. `bounds` and
 /// `turning` of the steps hold there, too.
 struct WatchedParts {
-    cda::Box place;  ///< Further place where the tool's motion matters, such as fixtures; mm, W.
+    Box place;  ///< Further place where the tool's motion matters, such as fixtures; mm, W.
     bool shanks = false;  ///< True to follow the pieces that do not cut, too.
 };
 
@@ -71,7 +71,7 @@ class Walk {
 public:
     /// Starts a traversal. Cells whose bounds do not overlap `stock` (mm, W) are left out. The last
     /// parameter is the specified machine, or null.
-    Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
+    Walk(const cda::Lattice& lattice, const Box& stock, const ToolAccuracy& accuracy,
          const SamplingOptions& sampling, RapidPath rapid = {}, const WatchedParts& watch = {},
          std::shared_ptr<const Kinematics> specified = nullptr);
 
@@ -83,13 +83,13 @@ public:
     /// Adds `tool` under `number`. The first tool of a number counts.
     const Cutter& add_tool(int number, const Tool& tool);
     /// Limits the following cells to tools near `place` (mm, W); all cells if empty.
-    void restrict_cells(const std::optional<cda::Box>& place) {
+    void restrict_cells(const std::optional<Box>& place) {
         region_ = place;
         skips_motions_ = false;
     }
     /// Does the same as restrict_cells(); in addition, a straight move or an arc that stays away
     /// from `place` is a single step from end to end, without bounds.
-    void restrict_motions(const std::optional<cda::Box>& place) {
+    void restrict_motions(const std::optional<Box>& place) {
         restrict_cells(place);
         skips_motions_ = place.has_value();
     }
@@ -115,7 +115,7 @@ private:
         std::optional<Cutter::Rotation> rows = std::nullopt;  ///< Orientation of `reach`.
         Cutter::Reach reach = {};
 
-        cda::Box bounds(const Pose& X_WA, const Pose& X_WB);
+        Box bounds(const Pose& X_WA, const Pose& X_WB);
     };
     // Successive arcs about one centre.
     struct ArcRun {
@@ -143,7 +143,7 @@ private:
                const SweepSimplification& liberties);
 
     cda::Lattice lattice_;
-    cda::Box stock_;
+    Box stock_;
     ToolAccuracy accuracy_;
     SamplingOptions sampling_;
     double gain_mm_;   // allowed gain of the hulls of rotating tools
@@ -151,9 +151,9 @@ private:
     RapidPath rapid_;
     WatchedParts watch_;
     std::shared_ptr<const Kinematics> specified_;
-    cda::Box place_;                  // stock and watched place
-    std::optional<cda::Box> region_;  // place of wanted cells
-    bool skips_motions_ = false;      // whether motions away from region_ are single steps
+    Box place_;                   // stock and watched place
+    std::optional<Box> region_;   // place of wanted cells
+    bool skips_motions_ = false;  // whether motions away from region_ are single steps
     Cutter::Rotation upright_ = pose_at({}).rows;
     std::map<int, ToolData> tools_;
     bool prefers_sweeps_ = false;

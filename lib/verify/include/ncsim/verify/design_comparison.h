@@ -3,9 +3,9 @@
 // Comparison of the part with the design: gouges and excesses.
 #pragma once
 
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/mesh.h"
-#include "ncsim/cda/vec.h"
 
 #include <optional>
 #include <vector>
@@ -17,12 +17,12 @@ struct DesignRegion {
     /// Largest depth found in the region, mm. Points of the region are searched at distances of at
     /// most DesignComparison::grain_mm.
     double depth_mm = 0.0;
-    cda::Vec3 point;  ///< Point of the largest depth; mm, W.
+    Vec3 point;  ///< Point of the largest depth; mm, W.
     /// Lower bound (mm) of the depth of a point of the region below the surface of the body that
     /// contains the point: the design for a gouge, the part for an excess. If that body is thin
     /// there, as at a sharp edge, the bound is less than `depth_mm`.
     double below_mm = 0.0;
-    cda::Box box;  ///< Box of the points found; mm, W.
+    Box box;  ///< Box of the points found; mm, W.
     /// Origin of the face of the part at or nearest to the deepest point that lies at a cut face;
     /// kStockOrigin if no point does.
     cda::Origin origin = cda::kStockOrigin;
@@ -65,7 +65,7 @@ struct DesignComparison {
 /// Requires: tolerance_mm > 0. The part and the design are not empty. `design` is a closed,
 ///   oriented surface that does not cross itself; mm, W.
 /// Guarantees: the result depends on the arguments only.
-DesignComparison compare(const cda::Boundary& part, const cda::TriangleMesh& design,
+DesignComparison compare(const cda::Boundary& part, const TriangleMesh& design,
                          double tolerance_mm);
 
 }  // namespace ncsim::verify

@@ -7,8 +7,8 @@
 // and the largest length counts.
 #pragma once
 
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/tile_number.h"
-#include "ncsim/cda/vec.h"
 #include "ncsim/machine/chain.h"
 
 #include <cstdint>
@@ -51,19 +51,19 @@ struct Observation {
     std::uint64_t step = 0;
     Subject subject = Subject::FeedCut;
     std::uint32_t index = 0, other = 0;
-    bool touches = true;             ///< False: rounding only, or only the clearance is violated.
-    bool certain = false;            ///< True for every accuracy of the tool.
-    bool assumed = false;            ///< The shape of a body in contact is not fully specified.
-    std::optional<cda::Vec3> point;  ///< Common point of both bodies; mm, W.
+    bool touches = true;        ///< False: rounding only, or only the clearance is violated.
+    bool certain = false;       ///< True for every accuracy of the tool.
+    bool assumed = false;       ///< The shape of a body in contact is not fully specified.
+    std::optional<Vec3> point;  ///< Common point of both bodies; mm, W.
     /// If there are several points, the point with the lowest rank counts.
     std::uint32_t rank = 0;
-    cda::Box box;  ///< Box around the contact; mm, W.
+    Box box;  ///< Box around the contact; mm, W.
     /// Measured value. A volume is the contribution of this tile to the sum; the contribution can
     /// be negative.
     std::optional<double> value;
     /// Positions of the joints at the contact, machine coordinates.
     std::optional<machine::Values> values;
-    std::vector<cda::Box> places;  ///< Boxes in which the contact is open; mm, W.
+    std::vector<Box> places;  ///< Boxes in which the contact is open; mm, W.
 
     bool operator==(const Observation&) const = default;
 };

@@ -10,7 +10,7 @@
 // that a selected rule needs.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/source.h"
 #include "ncsim/machine/chain.h"
@@ -79,9 +79,9 @@ struct Finding {
     int tool = 0;
     /// Sum or maximum over the row, as the quantity requires.
     std::optional<Quantity> quantity;
-    std::optional<cda::Vec3> point;  ///< Point of the first motion; mm, W.
-    cda::Box box;                    ///< Box that encloses all contacts; mm, W; may be empty.
-    cda::Box first_box;              ///< The same for the first motion.
+    std::optional<Vec3> point;  ///< Point of the first motion; mm, W.
+    Box box;                    ///< Box that encloses all contacts; mm, W; may be empty.
+    Box first_box;              ///< The same for the first motion.
     /// Bodies that meet, other than the tool and the part: "the fixture 'jaw'", "the link 'head'".
     std::vector<std::string> bodies;
     /// Positions of the joints at the first contact of links, machine coordinates.
@@ -101,7 +101,7 @@ struct Finding {
 };
 
 /// Returns the point of a finding, or the centre of its first contacts; mm, W. Empty: no place.
-std::optional<cda::Vec3> point_of(const Finding& finding);
+std::optional<Vec3> point_of(const Finding& finding);
 
 /// Rule that could not be checked, with the reason. Differs from a rule without findings.
 struct Skipped {

@@ -3,7 +3,7 @@
 // Ledger of a program: the material that each block removed, the length of the path and the time.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/gcode/motion.h"
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct LedgerRow {
     std::optional<double> seconds;
     /// Box that encloses the positions of the tool within the stock's box while material was
     /// removed; empty if none was.
-    cda::Box contact;
+    Box contact;
     /// Returns the removal rate in mm³/min; empty without a time.
     std::optional<double> removal_rate() const {
         if (!seconds || *seconds <= 0.0) return std::nullopt;

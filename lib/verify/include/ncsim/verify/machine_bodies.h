@@ -4,7 +4,7 @@
 // done once for all programs.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
+#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/machine/chain.h"
 #include "ncsim/verify/machine_description.h"
 
@@ -21,7 +21,7 @@ class RigidBody;
 /// Link as specified; mm, machine coordinates with all joints at 0.
 struct LinkBody {
     std::string name;
-    cda::TriangleMesh mesh;     ///< Closed; without triangles: the shape is unspecified.
+    TriangleMesh mesh;          ///< Closed; without triangles: the shape is unspecified.
     machine::Chain moved_by;    ///< Chain from the bed; each joint as it moves the link.
     double clearance_mm = 0.0;  ///< Distance that all other bodies must keep.
     /// Largest distance (mm) of the mesh from the true surface of the link. Overlaps and distances

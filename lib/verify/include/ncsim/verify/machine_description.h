@@ -4,8 +4,8 @@
 // missing value are skipped and say so.
 #pragma once
 
-#include "ncsim/cda/mesh.h"
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/base/vec3.h"
 
 #include <array>
 #include <optional>
@@ -29,8 +29,8 @@ struct Fixture {
     std::string name;
     int system = 0;  ///< Coordinate system of its specification; 0: W.
     /// Shape: `mesh` (closed) if it has triangles, enclosed by `box`; otherwise `box`.
-    cda::Box box;
-    cda::TriangleMesh mesh;
+    Box box;
+    TriangleMesh mesh;
     double deflection_mm = 0.0;  ///< Largest distance of the mesh from the true surface.
     std::string mesh_at{};       ///< Place of the specification: "mill.toml:12:1".
     bool as_hull = false;        ///< The convex hull replaces the mesh in checks against links.
@@ -39,7 +39,7 @@ struct Fixture {
     double clearance_mm = 0.0;
 
     /// Returns the box of the fixture, grown by the clearance and the deflection.
-    cda::Box place() const;
+    Box place() const;
 };
 
 /// Returns the fixture as messages name it: "the fixture 'rear jaw'".
@@ -63,10 +63,10 @@ struct MachineDescription {
     std::optional<double> min_rpm, max_rpm;
     /// Position to which G28 leads, and position to which G30 leads (second reference point, tool
     /// change); machine coordinates. M6 itself moves nothing.
-    std::optional<cda::Vec3> home, tool_change;
+    std::optional<Vec3> home, tool_change;
     std::optional<double> tool_change_seconds;
     /// Position of the zero of W in machine coordinates.
-    std::optional<cda::Vec3> work_zero;
+    std::optional<Vec3> work_zero;
     std::vector<Fixture> fixtures;
     bool fixtures_specified = false;  ///< Also true if the specified list is empty.
     double below_stock = 0.0;         ///< Permitted depth below the stock, mm.

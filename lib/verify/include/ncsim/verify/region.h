@@ -3,7 +3,7 @@
 // Regions of removed material, gathered from the ledger: rows whose boxes touch form one region.
 #pragma once
 
-#include "ncsim/cda/vec.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/verify/ledger.h"
 
 #include <cstdint>
@@ -25,7 +25,7 @@ std::vector<LineRange> merged(std::vector<LineRange> lines);
 /// Connected region of removed material.
 struct Region {
     double volume_mm3 = 0.0;
-    cda::Box box;                  ///< Box that encloses the region; mm, W.
+    Box box;                       ///< Box that encloses the region; mm, W.
     std::vector<LineRange> lines;  ///< Sorted; consecutive lines form one range.
 };
 

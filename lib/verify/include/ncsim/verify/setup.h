@@ -57,7 +57,7 @@ struct OpenContact {
     std::string_view rule;
     int tool = 0;
     std::optional<std::size_t> piece;  ///< Piece of the tool; empty: the cutter.
-    std::vector<cda::Box> boxes;
+    std::vector<Box> boxes;
 };
 
 /// Decides an open contact with finer tools: Certain, still open (Within), or empty: no contact.
@@ -80,7 +80,7 @@ struct Setup {
     /// Angle (degrees) by which the part is set up askew and which G54.4 corrects; 0: straight.
     double setting_askew = 0.0;
     toolpath::ToolAccuracy accuracy;
-    std::optional<cda::Box> stock;   ///< mm, W.
+    std::optional<Box> stock;        ///< mm, W.
     double path_tolerance_mm = 0.0;  ///< Largest permitted deviation from the path; 0: not checked.
     /// Distance (mm) by which the control may miss corners of the path (G64 P) if it exceeds the
     /// tolerance of the path; 0: none.

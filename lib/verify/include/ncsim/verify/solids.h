@@ -3,10 +3,10 @@
 // Connected pieces of a part. A piece that a program cuts free can fly off.
 #pragma once
 
+#include "ncsim/base/triangle_mesh.h"
+#include "ncsim/base/triangle_tree.h"
+#include "ncsim/base/vec3.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/mesh.h"
-#include "ncsim/cda/triangle_tree.h"
-#include "ncsim/cda/vec.h"
 
 #include <cstdint>
 #include <memory>
@@ -17,11 +17,11 @@ namespace ncsim::verify {
 
 /// Connected piece of material. Pieces that touch only along an edge or at a vertex are separate.
 struct Solid {
-    std::uint32_t shell = 0;               ///< Outer surface in the boundary.
-    double volume_mm3 = 0.0;               ///< Volume within the outer surface, including cavities.
-    cda::Box box;                          ///< mm, W.
-    std::optional<cda::Vec3> inner_point;  ///< Strictly inside; empty if the piece is too thin.
-    std::vector<cda::Origin> origins;      ///< Origins of the faces, sorted, without the stock's.
+    std::uint32_t shell = 0;           ///< Outer surface in the boundary.
+    double volume_mm3 = 0.0;           ///< Volume within the outer surface, including cavities.
+    Box box;                           ///< mm, W.
+    std::optional<Vec3> inner_point;   ///< Strictly inside; empty if the piece is too thin.
+    std::vector<cda::Origin> origins;  ///< Origins of the faces, sorted, without the stock's.
 };
 
 /// Surface of a part with search structures for its pieces.
@@ -36,15 +36,15 @@ public:
     /// Returns the index into all() of the piece that contains `point`; the innermost of nested
     /// pieces.
     /// Cost: expected O(pieces + log n).
-    std::optional<std::size_t> at(cda::Vec3 point) const;
+    std::optional<std::size_t> at(Vec3 point) const;
 
 private:
-    std::optional<cda::Vec3> point_in(std::size_t solid) const;
+    std::optional<Vec3> point_in(std::size_t solid) const;
 
     // on the heap, so that pointers of surfaces_ stay valid
-    std::unique_ptr<const cda::TriangleMesh> mesh_;
+    std::unique_ptr<const TriangleMesh> mesh_;
     std::vector<std::vector<std::uint32_t>> triangles_;  // by shell
-    std::vector<cda::TriangleTree> surfaces_;            // by shell
+    std::vector<TriangleTree> surfaces_;                 // by shell
     std::vector<Solid> solids_;
 };
 

@@ -34,7 +34,7 @@ class Verifier {
 public:
     /// Starts the verification of a program. `stock` (mm, W) and `lattice` are the part's; `stock`
     /// is empty if nothing is simulated.
-    Verifier(Setup setup, const cda::Box& stock, const cda::Lattice& lattice, Share share = {});
+    Verifier(Setup setup, const Box& stock, const cda::Lattice& lattice, Share share = {});
     ~Verifier();
     Verifier(const Verifier&) = delete;
     Verifier& operator=(const Verifier&) = delete;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Test for boundaries that simplify() would not change. simplify() would spend most of its time on
+// triangles that it joins to the original faces again.
+#pragma once
+
+#include "ncsim/cda/boundary.h"
+#include "ncsim/mesh/provenance.h"
+#include "ncsim/mesh/simplified.h"
+
+#include <optional>
+
+namespace ncsim::mesh {
+
+/// Cosine of 15°: faces whose normals differ by more are not joined.
+inline constexpr double kMinNormalCosine = 0.9659;
+
+/// Returns the boundary with its loops in the order of simplify_any() if no face changes for
+/// `share_mm` (mm, a quarter of the tolerance); nullopt if a face may change. The test is
+/// sufficient and not necessary: each vertex has at least three loops, no loops of a face meet, no
+/// triangle is thin, no shell is a flake, and no two adjacent faces of one line are nearly
+/// coplanar.
+///
+/// Requires: at least one face.
+/// Guarantees: the faces, their loops, their origins and their planes are those of simplify_any();
+///     the deviation is 0.
+/// Cost: about that of cda::triangulate().
+std::optional<Simplified> plain_boundary(const cda::Boundary& boundary, double share_mm,
+                                         const Provenance* lines);
+
+/// Simplifies any boundary as simplify() promises. Tests compare plain_boundary() with the result.
+/// Requires: at least one face.
+Simplified simplify_any(const cda::Boundary& boundary, double tolerance_mm,
+                        const Provenance* lines);
+
+}  // namespace ncsim::mesh

@@ -1,0 +1,5 @@
+ncsim_add_test(base LIBRARIES ncsim::base SOURCES angles_test.cpp parallel_test.cpp text_test.cpp vec2_test.cpp)
+
+# Nobody else calls functions of the C library whose last bit is not the same everywhere.
+add_test(NAME base.TheLibraryOfNoSystemReachesAnOutput
+  COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -P ${CMAKE_CURRENT_LIST_DIR}/libm.cmake)

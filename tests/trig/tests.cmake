@@ -1,5 +1,0 @@
-ncsim_add_test(trig LIBRARIES ncsim::trig SOURCES angles_test.cpp)
-
-# Nobody else calls functions of the C library whose last bit is not the same everywhere.
-add_test(NAME trig.TheLibraryOfNoSystemReachesAnOutput
-  COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -P ${CMAKE_CURRENT_LIST_DIR}/libm.cmake)
