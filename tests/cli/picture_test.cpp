@@ -193,11 +193,11 @@ TEST(Picture, FramesWithCaptionsHaveOneSize) {
                             "--every", "1", "--png", "a.png"})
                       .exit_code,
                   0);
-        const Image last = exporter::test::read_png(folder.read("a.png"));
+        const Image last = test::read_png(folder.read("a.png"));
         std::size_t frames = 0;
         for (const auto& file : std::filesystem::directory_iterator(folder.path() / "film")) {
             const Image frame =
-                exporter::test::read_png(folder.read("film/" + file.path().filename().string()));
+                test::read_png(folder.read("film/" + file.path().filename().string()));
             EXPECT_EQ(frame.height, last.height);
             ++frames;
         }
@@ -308,7 +308,7 @@ TEST(Picture, AFindingIsChosenByItsNumber) {
         const Ran ran = folder.run({"check", "a.nc", "-q", "--png", "a.png", "--view", "top",
                                     "--size", "480x360", "--finding", number});
         EXPECT_EQ(ran.exit_code, 4) << ran.err;
-        const Image image = exporter::test::read_png(folder.read("a.png"));
+        const Image image = test::read_png(folder.read("a.png"));
         double sum = 0.0;
         std::size_t pixels = 0;
         for (std::uint32_t y = 0; y < image.height; ++y) {

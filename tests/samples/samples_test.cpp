@@ -397,8 +397,7 @@ TEST_P(Samples, LookAsTheyDid) {
     options.height = 360;
     app::Outcome outcome{options, s.plan, s.survey, &s.tree};
     outcome.boundary = &s.boundary;
-    exporter::test::expect_like_golden(app::picture(outcome),
-                                       "samples/golden/" + GetParam() + ".png");
+    test::expect_like_golden(app::picture(outcome), "samples/golden/" + GetParam() + ".png");
 }
 
 // Compares the stencil buffer of the thesis with the computed surface, pixel by pixel except at
