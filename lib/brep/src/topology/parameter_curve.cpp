@@ -111,15 +111,16 @@ ParameterSurface::Point ParameterSurface::point(Place place) const {
     if (const auto* form = std::get_if<Extrusion>(&form_))
         return {frame_.origin + form->radius * out + place[1] * form->along, form->radius * on,
                 form->along};
-    const auto* torus = std::get_if<Torus>(&form_);
-    const double tip = torus && is_spindle(*torus) ? tip_degrees(*torus) : 0.0;
-    const auto v = sin_cos(place[1] / kRadiansPerDegree + tip);
+    const double degrees = place[1] / kRadiansPerDegree;
     if (const auto* form = std::get_if<Sphere>(&form_)) {
+        const auto v = sin_cos(degrees);
         const double r = form->radius;
         return turned(r * v.cos, r * v.sin, -r * v.sin, r * v.cos);
     }
-    return turned(torus->major + torus->minor * v.cos, torus->minor * v.sin, -torus->minor * v.sin,
-                  torus->minor * v.cos);
+    const auto& torus = std::get<Torus>(form_);
+    const auto v = sin_cos(is_spindle(torus) ? degrees + tip_degrees(torus) : degrees);
+    return turned(torus.major + torus.minor * v.cos, torus.minor * v.sin, -torus.minor * v.sin,
+                  torus.minor * v.cos);
 }
 
 std::optional<ParameterSurface::Place> ParameterSurface::first_place(Vec3 p) const {

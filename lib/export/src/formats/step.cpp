@@ -5,6 +5,7 @@
 // that no earlier face uses, and before each edge its curve and vertices.
 #include "ncsim/export/step.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/brep/frames.h"
 #include "ncsim/brep/long_windings.h"
 #include "ncsim/brep/parameter_curve.h"
