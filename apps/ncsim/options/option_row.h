@@ -110,7 +110,7 @@ template <auto Act, class Of>
 cli::Option* act(cli::App& command, const OptionRow<Of>& row, Of& options) {
     return add_action<Act>(command, row, options, Act);
 }
-/// As act(); commas separate texts, too.
+/// Does the same as act(); commas also separate texts.
 template <auto Act, class Of>
 cli::Option* act_on_list(cli::App& command, const OptionRow<Of>& row, Of& options) {
     return act<Act>(command, row, options)->accept_list();

@@ -10,8 +10,6 @@
 
 namespace ncsim::brep {
 
-namespace {}  // namespace
-
 std::optional<CutWalk> walk_along_cut(const Surface& surface, const CutPlane& plane, Vec3 begin,
                                       std::span<const Vec3> ends, double chords_mm) {
     constexpr double kLongest = 1.0, kShortest = 1e-5, kOn = 1e-6;  // mm

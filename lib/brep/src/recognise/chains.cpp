@@ -529,7 +529,7 @@ void Chains::solve_chain(Chain& chain) {
             spline = intersection_spline(first, second, {from.at, to.at});
         if (!spline) return is_of_rounding(chain) ? vanish(chain) : fail(chain);
         chain.curve = std::move(*spline);
-        // As where straight pipes bend: without the lune, if facets did not show it.
+        // The edge of two straight pipes has no lune either if no facet shows the lune.
         const double lower = depth_of_lune(a, b, Track(chain.curve, from.at, to.at));
         const double error = std::max(groups_.error_of(chain.left), groups_.error_of(chain.right));
         if (lower > std::max(kLune, error)) return fail(chain);

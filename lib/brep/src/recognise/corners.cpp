@@ -77,8 +77,8 @@ void move_onto_path(const std::vector<const Form*>& forms, Vec3& p) {
     }
 }
 
-// Where the path of a ball has a corner, both surfaces meet twice at small angles. Moves `p` to the
-// plane of the corner, if there is one, for the right one to be found.
+// At a corner of the path of a ball, the surfaces before and after it meet in two curves at small
+// angles. Moves `p` near the curve of the corner.
 void move_to_mitre(std::vector<const Form*> forms, std::size_t count, Vec3& p) {
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t j = i + 1; j < count; ++j) {

@@ -10,6 +10,7 @@
 
 #include "geometry/tolerances.h"
 #include "sources/path_segments.h"
+#include "sources/profile_elements.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,6 @@ namespace {
 
 using gcode::Position;
 using toolpath::Pose;
-using toolpath::ProfilePoint;
 
 // Lengths below this are rounding errors, mm.
 constexpr double kEqual = 1e-9;
@@ -33,62 +33,6 @@ constexpr double kEqual = 1e-9;
 constexpr double kFlattest = 1e-3;
 // Largest distance of facets from the surface that a rim sweeps, mm.
 constexpr double kRimMargin = 0.5;
-
-// --- Profiles -----------------------------------------------------------------------------
-
-// Element of a profile. Straight: radius and height at the lower and the upper end. Round: `fillet`
-// about (radius, height).
-struct Element {
-    double radius = 0.0, height = 0.0, end_radius = 0.0, end_height = 0.0;
-    double fillet = 0.0;
-    double rise() const { return end_height - height; }
-    double widening() const { return end_radius - radius; }
-};
-
-struct Flat {
-    double r, h;
-};
-
-Flat direction(Flat a, Flat b) {
-    const double r = b.r - a.r, h = b.h - a.h;
-    const double length = std::sqrt(r * r + h * h);
-    return length > kEqual ? Flat{r / length, h / length} : Flat{0.0, 0.0};
-}
-
-std::vector<Element> elements_of(const toolpath::ToolPiece& piece) {
-    const auto& profile = piece.profile;
-    if (profile.empty()) return {};
-    std::vector<Flat> corners{{0.0, profile.front().height}};
-    for (const ProfilePoint& p : profile)
-        corners.push_back({p.radius, p.height});
-    corners.push_back({0.0, profile.back().height});
-    std::vector<Element> elements;
-    Flat at = corners.front();  // End of the last element.
-    const auto straight_to = [&](Flat end) {
-        if (std::abs(end.r - at.r) > kEqual || std::abs(end.h - at.h) > kEqual)
-            elements.push_back({at.r, at.h, end.r, end.h});
-        at = end;
-    };
-    for (std::size_t i = 0; i < profile.size(); ++i) {
-        const Flat corner = corners[i + 1];
-        const double rho = profile[i].fillet;
-        if (rho <= 0.0) {
-            straight_to(corner);
-            continue;
-        }
-        const Flat in = direction(corners[i], corner), out = direction(corner, corners[i + 2]);
-        const double turn = in.r * out.h - in.h * out.r;
-        const double tangent = rho * turn / (1.0 + in.r * out.r + in.h * out.h);
-        const Flat begin{corner.r - tangent * in.r, corner.h - tangent * in.h};
-        straight_to(begin);
-        elements.push_back({begin.r - rho * in.h, begin.h + rho * in.r, 0.0, 0.0, rho});
-        at = {corner.r + tangent * out.r, corner.h + tangent * out.h};
-    }
-    straight_to(corners.back());
-    return elements;
-}
-
-// --- Sweeps -------------------------------------------------------------------------------
 
 // Returns the i-th of `pieces` equal pieces of the path.
 HelixPath piece_of(const HelixPath& path, int i, int pieces) {
@@ -160,7 +104,7 @@ public:
     double chords() const { return chords_; }
 
     // Adds the surface of the element at rest.
-    void rest(const Element& e, Vec3 tip, Vec3 axis) {
+    void rest(const ProfileElement& e, Vec3 tip, Vec3 axis) {
         const Vec3 at = tip + e.height * axis;
         if (e.fillet > 0.0) {
             tube(at, axis, e.radius, e.fillet, true);
@@ -173,7 +117,7 @@ public:
         }
     }
 
-    void line(const Element& e, Vec3 tip, Vec3 axis, Vec3 d) {
+    void line(const ProfileElement& e, Vec3 tip, Vec3 axis, Vec3 d) {
         const double along = dot(d, axis);
         const bool is_level = std::abs(along) <= kEqual;
         const Vec3 at = tip + e.height * axis;
@@ -199,7 +143,7 @@ public:
     }
 
     // Adds the surface of the lower corner of an element on a line oblique to the axis.
-    void rim(const Element& e, Vec3 tip, Vec3 axis, Vec3 d) {
+    void rim(const ProfileElement& e, Vec3 tip, Vec3 axis, Vec3 d) {
         const double along = dot(d, axis);
         if (e.radius <= kEqual || std::abs(along) <= kFlattest || norm(cross(axis, d)) <= kEqual)
             return;
@@ -207,7 +151,7 @@ public:
     }
 
     // Adds the surfaces of an arc about an axis parallel to the tool's.
-    void arc(const Element& e, const HelixPath& path, bool is_level) {
+    void arc(const ProfileElement& e, const HelixPath& path, bool is_level) {
         const Vec3 axis = path.axis, at = path.centre + e.height * axis;
         const double reach = path.reach;
         if (e.fillet > 0.0) {
@@ -235,7 +179,7 @@ public:
     }
 
     // Adds the surfaces of a straight element on a path on which the tool turns.
-    void flank(const Element& e, const RotaryPath& path) {
+    void flank(const ProfileElement& e, const RotaryPath& path) {
         const double length = std::sqrt(e.rise() * e.rise() + e.widening() * e.widening());
         if (e.rise() <= kEqual) {
             // The element that closes the profile above cuts no material.
@@ -257,7 +201,7 @@ public:
     // Adds the envelopes of a round element on any path. If the path returns to its start, the
     // surface that is left last is tangent to the tool at the end, and the surface that is left
     // first crosses the tool there. Half turns keep these surfaces separate.
-    void envelope(const Element& e, const ToolPath& path) {
+    void envelope(const ProfileElement& e, const ToolPath& path) {
         const auto* turning = std::get_if<RotaryPath>(&path);
         if (turning && e.fillet <= 0.0) return flank(e, *turning);
         if (e.fillet <= 0.0) return note_unlisted_surfaces();
@@ -279,7 +223,7 @@ public:
     }
 
     // Adds the envelope of the corner at the start of a flank, on a path on which the tool turns.
-    void rim(const Element& e, const RotaryPath& path) {
+    void rim(const ProfileElement& e, const RotaryPath& path) {
         if (e.radius <= kEqual || e.rise() <= kEqual) return;
         auto sweep = std::make_shared<Sweep>(Fillet{e.radius, e.height, 0.0}, path);
         if (!has_across(*sweep)) return note_unlisted_surfaces();
@@ -306,7 +250,7 @@ public:
     // Adds the cylinder that a flat end leaves if it turns about a fixed line at a fixed distance:
     // the floor of a groove around a bar. The plane of the end with normal n(φ) is tangent to the
     // cylinder if n·p(φ) = n·o + radius for a point o of the line.
-    void floor_around(const Element& e, const RotaryPath& path, bool is_spiral) {
+    void floor_around(const ProfileElement& e, const RotaryPath& path, bool is_spiral) {
         if (std::abs(e.rise()) > kEqual || e.widening() <= 0.0) return;
         constexpr double kOff = 1e-6;        // mm; path and solution are as accurate
         constexpr double kLeastTurn = 1e-4;  // of the determinant, about 3 degrees
@@ -350,7 +294,7 @@ public:
     // Adds the torus of a ball that turns about a fixed line at a fixed distance, without moving
     // along the line: a ring around a bar. A corner radius leaves two if its tool points at the
     // line. Returns false on any other path.
-    bool ring_around(const Element& e, const RotaryPath& path) {
+    bool ring_around(const ProfileElement& e, const RotaryPath& path) {
         if (e.fillet <= 0.0) return false;
         constexpr double kOff = 1e-6;  // mm; path and solution are as accurate
         const auto ball_at = [&](double t) {
@@ -384,7 +328,8 @@ public:
 
     // Adds the walls of an arc whose ends have different radii. `left` is half of the angle that is
     // missing to a full turn, radians.
-    void spiral(const Element& e, const Spiral& path, double left, Vec3 axis, bool is_level) {
+    void spiral(const ProfileElement& e, const Spiral& path, double left, Vec3 axis,
+                bool is_level) {
         if (std::abs(e.rise()) <= kEqual) {
             if (is_level) disc(e, path.centre + e.height * axis, axis);
         } else if (std::abs(e.widening()) > kEqual) {
@@ -405,7 +350,7 @@ public:
     }
 
     // Adds the coil of a corner on a helix.
-    void rim_around(const Element& e, const HelixPath& path, double lead) {
+    void rim_around(const ProfileElement& e, const HelixPath& path, double lead) {
         if (e.radius <= kEqual || path.reach <= kEqual || std::abs(lead) <= kEqual) return;
         const Vec3 start = path.centre + e.height * path.axis;
         add(Coil{start, path.axis, path.ahead, path.reach, e.radius, lead});
@@ -426,7 +371,7 @@ public:
     // Adds the domes of a corner on an arc about an axis perpendicular to the tool's: a dome on
     // each side of the arc's centre, limited to the heights that the arc passes there. Beyond these
     // heights, the dome would continue along walls at the start or the end of the motion.
-    void rim_across(const Element& e, const ArcPath& path, Vec3 axis) {
+    void rim_across(const ProfileElement& e, const ArcPath& path, Vec3 axis) {
         if (e.radius <= kEqual || path.fitted_radius <= kEqual ||
             std::abs(dot(path.about, axis)) > kEqual)
             return;
@@ -444,14 +389,14 @@ public:
     }
 
     // Adds the plane of a flat end where such an arc is level, at the bottom of a dip.
-    void level_across(const Element& e, Vec3 centre, Vec3 axis, double reach) {
+    void level_across(const ProfileElement& e, Vec3 centre, Vec3 axis, double reach) {
         if (e.fillet > 0.0 || std::abs(e.rise()) > kEqual) return;
         disc(e, centre + (e.height + (e.widening() > 0.0 ? -reach : reach)) * axis, axis);
     }
 
     // Adds the surfaces of an arc about an axis perpendicular to the tool's; upright sides leave
     // planes.
-    void arc_across(const Element& e, const ArcPath& path, Vec3 axis) {
+    void arc_across(const ProfileElement& e, const ArcPath& path, Vec3 axis) {
         if (e.fillet > 0.0) {
             tube(path.centre + e.height * axis, path.about, path.radius, e.fillet,
                  is_at_most_half(path.swept));
@@ -506,7 +451,7 @@ private:
 
     // An element that closes the profile below looks down, above up; the material is on the
     // opposite side.
-    void disc(const Element& e, Vec3 at, Vec3 axis) {
+    void disc(const ProfileElement& e, Vec3 at, Vec3 axis) {
         add(Plane{at, e.widening() > 0.0 ? axis : -axis});
     }
 
@@ -529,7 +474,7 @@ private:
 
     // Adds the planes that are tangent to the side along two of its rulings and parallel to the
     // path.
-    void slopes(const Element& e, Vec3 at, Vec3 axis, Vec3 side, Vec3 d) {
+    void slopes(const ProfileElement& e, Vec3 at, Vec3 axis, Vec3 side, Vec3 d) {
         const double length = std::sqrt(e.rise() * e.rise() + e.widening() * e.widening());
         const double up = e.rise() / length, out = e.widening() / length;
         const Vec3 ahead = cross(side, axis);
@@ -552,7 +497,8 @@ private:
 };
 
 // Adds the surfaces of an element on an arc.
-void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const ArcPath& path, Vec3 axis) {
+void sweep_arc(Sweeps& sweeps, const ProfileElement& e, bool is_corner, const ArcPath& path,
+               Vec3 axis) {
     const double along = std::abs(dot(path.about, axis));
     const bool is_about = along > 1.0 - kEqual, is_across = along <= kEqual;
     const bool is_ball = e.fillet > 0.0 && e.radius <= kEqual;
@@ -574,7 +520,7 @@ void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const ArcPath& 
 
 // Adds the surfaces of an element along a spline. Each arc's surfaces are limited to a box around
 // the arc.
-void sweep_spline(Sweeps& sweeps, const Element& e, bool is_corner,
+void sweep_spline(Sweeps& sweeps, const ProfileElement& e, bool is_corner,
                   const std::vector<SplinePath>& paths, Vec3 axis) {
     const double wide = std::max(e.radius, e.end_radius) + e.fillet + kRimMargin;
     for (const SplinePath& path : paths) {
@@ -599,7 +545,7 @@ void sweep_spline(Sweeps& sweeps, const Element& e, bool is_corner,
 }
 
 // Adds the surfaces of an element along the pieces of a path on which the tool turns.
-void sweep_turning(Sweeps& sweeps, const Element& e, bool is_corner,
+void sweep_turning(Sweeps& sweeps, const ProfileElement& e, bool is_corner,
                    const std::vector<RotaryPath>& path) {
     constexpr std::size_t kTwoTurns = 6;  // pieces
     if (sweeps.ring_around(e, path.front())) return;
@@ -652,9 +598,9 @@ SweptSurfaces surfaces_of(const gcode::Motion& motion, const toolpath::Tool& too
     Sweeps sweeps(source.candidates);
     for (const toolpath::ToolPiece& piece : tool.pieces) {
         if (!piece.cutting) continue;
-        const std::vector<Element> elements = elements_of(piece);
+        const std::vector<ProfileElement> elements = elements_of(piece);
         for (std::size_t i = 0; i < elements.size(); ++i) {
-            const Element& e = elements[i];
+            const ProfileElement& e = elements[i];
             const bool is_corner = i > 0 && e.fillet <= 0.0 && elements[i - 1].fillet <= 0.0;
             const bool is_below_side = e.fillet > 0.0 && i + 1 < elements.size() &&
                                        std::abs(elements[i + 1].widening()) <= kEqual && !turns;

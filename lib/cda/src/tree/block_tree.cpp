@@ -11,8 +11,6 @@
 
 namespace ncsim::cda {
 
-namespace {}  // namespace
-
 void CellTable::add(Origin origin, std::int32_t rank,
                     const std::shared_ptr<const FacetNormals>& normals) {
     std::uint32_t family = kNoFamily;
