@@ -7,8 +7,10 @@
 
 #include "brep/cam_parts.h"
 #include "brep/golden.h"
+#include "brep/groove_parts.h"
 #include "brep/made_part.h"
 #include "brep/random_parts.h"
+#include "brep/slot_parts.h"
 #include "query/part_check.h"
 
 #include <gtest/gtest.h>
@@ -357,6 +359,37 @@ TEST(Recognise, FacetsOfLollipopsInNarrowCornersStayThere) {
     const Made made = make(golden, 0.05);
     EXPECT_EQ(kinds_of(made.solid.part)[1], 2);
     EXPECT_LT(made.solid.facets_kept, 60U);
+}
+
+// Neither polygons in place of round tools nor their number may decide which face a facet belongs
+// to. A low wall once became part of the torus below it, at one tolerance and not at another.
+TEST(Recognise, VolumesDoNotDependOnTheTolerance) {
+    constexpr std::uint64_t kPartsOfAKind = 8;
+    constexpr double kExact = 1e-6;  // mm
+    std::vector<std::pair<std::uint64_t, std::string>> programs;
+    for (std::uint64_t i = 0; i < kPartsOfAKind; ++i) {
+        programs.emplace_back(test::kGrooves + i, test::groove_part(test::kGrooves + i));
+        programs.emplace_back(test::kCam + i, test::cam_part(test::kCam + i));
+        programs.emplace_back(test::kSlots + i, test::slot_part(test::kSlots + i));
+    }
+    std::size_t compared = 0;
+    for (const auto& [seed, program] : programs) {
+        const auto recognised = [&](double tolerance) {
+            return test::make_part(setup::job_of({"part.nc", program}), tolerance).solid;
+        };
+        const auto is_exact = [](const Recognised& solid) {
+            return solid.facets_kept == 0 && solid.mitred_mm == 0.0 && solid.part.miss_mm < kExact;
+        };
+        const Recognised coarse = recognised(0.05);
+        if (!is_exact(coarse)) continue;
+        const Recognised fine = recognised(0.02);
+        // Polygons do not show faces that are less deep than they are inexact.
+        if (!is_exact(fine) || coarse.part.faces.size() != fine.part.faces.size()) continue;
+        ++compared;
+        const double all = volume(fine.part);
+        EXPECT_NEAR(volume(coarse.part), all, 1e-7 * all) << seed;
+    }
+    EXPECT_GT(compared, kPartsOfAKind);
 }
 
 // Most of these parts keep facets if consecutive moves that continue each other are treated

@@ -9,6 +9,7 @@ ncsim_add_test(brep
     flat_part_test.cpp
     geometry_test.cpp
     golden_test.cpp
+    groove_parts.cpp
     made_part.cpp
     mass_test.cpp
     order_test.cpp
@@ -19,6 +20,7 @@ ncsim_add_test(brep
     recognise_test.cpp
     rounding_test.cpp
     section_test.cpp
+    slot_parts.cpp
     solids.cpp
     surface_forms_test.cpp
     surface_text_test.cpp
