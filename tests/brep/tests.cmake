@@ -24,6 +24,7 @@ ncsim_add_test(brep
     solids.cpp
     surface_forms_test.cpp
     surface_text_test.cpp
+    swept_surfaces_test.cpp
     tilted_parts.cpp
     vertex_distance_test.cpp)
 
