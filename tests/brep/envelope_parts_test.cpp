@@ -192,6 +192,15 @@ TEST(Recognise, KnowsTheSidesOfBallsThatTurn) {
     }
 }
 
+// Returns moves down a quarter of a helix into a level line at `depth`, and up again.
+std::string lead_in_and_out(double reach, double down, double depth) {
+    return fmt::format(
+        "T3 M6\nG0 X{} Y{} Z5\nG1 Z{}\nG3 X25 Y30 Z{} I{} J0\nG1 X55\n"
+        "G3 X{} Y{} Z{} I0 J{}\nG0 Z5\n",
+        25.0 - reach, 30.0 + reach, down - depth, -depth, reach, 55.0 + reach, 30.0 + reach,
+        down - depth, reach);
+}
+
 // A ball goes down a quarter of a helix into a level line. Both surfaces meet twice at an angle of
 // a few degrees; one place is beyond the end of the helix. The lune of the ball between them is
 // left out, and its depth is reported.
@@ -199,11 +208,7 @@ TEST(Recognise, KnowsHelicalLeadInsOfBalls) {
     for (const double reach : {5.0, 8.0}) {
         for (const double down : {0.2, 1.0, 2.0}) {
             SCOPED_TRACE(testing::Message() << reach << ", " << down);
-            const std::string moves = fmt::format(
-                "T3 M6\nG0 X{} Y{} Z5\nG1 Z{}\nG3 X25 Y30 Z-3 I{} J0\nG1 X55\n"
-                "G3 X{} Y{} Z{} I0 J{}\nG0 Z5\n",
-                25.0 - reach, 30.0 + reach, down - 3.0, reach, 55.0 + reach, 30.0 + reach,
-                down - 3.0, reach);
+            const std::string moves = lead_in_and_out(reach, down, 3.0);
             for (const double tolerance : {0.05, 0.02}) {
                 const Made made = make({"lead-in", moves, {}, 0.0}, tolerance);
                 // With facets small enough, a lune may be there: a third sphere.
@@ -218,6 +223,17 @@ TEST(Recognise, KnowsHelicalLeadInsOfBalls) {
             }
         }
     }
+}
+
+// A lune that is flatter than the tolerance has no facet of its own. Its depth is reported all the
+// same; a deeper lune stays.
+TEST(Recognise, ReportsLunesWithoutFacets) {
+    const Made flat = make({"lead-in", lead_in_and_out(8.0, 0.5, 3.0), {}, 0.0}, 0.05);
+    const double bend = std::atan(0.5 / (4.0 * kPi));
+    EXPECT_EQ(kinds_of(flat.solid.part), (Kinds{6, 1, 0, 2, 0, 0, 0, 0, 0, 2}));
+    EXPECT_NEAR(flat.solid.mitred_mm, 4.0 * (1.0 / std::cos(0.5 * bend) - 1.0), 1e-5);
+    const Made deep = make({"lead-in", lead_in_and_out(3.0, 2.5, 1.0), {}, 0.0}, 0.05);
+    EXPECT_LE(deep.solid.mitred_mm, 0.05);
 }
 
 // On a nearly level slope, the torus that remains around the flat end at a stop is 0.01 mm high. No
