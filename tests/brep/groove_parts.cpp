@@ -24,11 +24,12 @@ public:
     std::string write() {
         decimals_ = pick(3, 6);
         diameter_ = 0.5 * pick(4, 24);
-        switch (pick(0, 4)) {
+        switch (pick(0, 5)) {
             case 0: lead_ins(); break;
             case 1: around_bar(); break;
             case 2: rings(); break;
             case 3: helix(); break;
+            case 4: engraving(); break;
             default: crossing();
         }
         return text_ + "M30\n";
@@ -109,6 +110,32 @@ private:
                              word('J', j)));
         if (pick(0, 1) == 0) line("G1" + word('X', x + i) + word('Y', y + j));
         line("G0" + word('Z', diameter_));
+    }
+
+    // Cuts straight strokes, arcs and circles that cross each other, at one depth or at several.
+    void engraving() {
+        begin(pick(0, 4) == 0 ? pick(0, 2) : 1, 16.0 * diameter_, 16.0 * diameter_, 3.0 * diameter_,
+              0.0);
+        double depth = diameter_ * from(0.05, 0.7);
+        const bool is_level = pick(0, 3) != 0;
+        for (int i = pick(2, 4); i > 0; --i) {
+            if (!is_level) depth = diameter_ * from(0.05, 0.7);
+            const double x = diameter_ * from(-2.0, 2.0), y = diameter_ * from(-2.0, 2.0);
+            const double start = from(0.0, kTurn), reach = diameter_ * from(0.6, 4.0);
+            line("G0" + word('X', x + reach * std::cos(start)) +
+                 word('Y', y + reach * std::sin(start)) + word('Z', diameter_));
+            line("G1" + word('Z', -depth) + " F300");
+            const double end = pick(0, 2) == 0 ? start : from(0.0, kTurn);
+            const std::string to =
+                word('X', x + reach * std::cos(end)) + word('Y', y + reach * std::sin(end));
+            if (pick(0, 2) == 0) {
+                line("G1" + to);
+            } else {
+                line((pick(0, 1) == 0 ? "G2" : "G3") + to + word('I', -reach * std::cos(start)) +
+                     word('J', -reach * std::sin(start)));
+            }
+            line("G0" + word('Z', diameter_));
+        }
     }
 
     // Cuts straight grooves through one place, at one depth or at several.

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -160,6 +161,39 @@ TEST(Recognise, KeepsTheBallAtTheEndOfAWay) {
     const Made made = make(golden, 0.05);
     EXPECT_EQ(made.solid.facets_kept, 0U);
     EXPECT_NEAR(volume(made.solid.part), kBlock - removed_by_ball(distance), 0.1);
+}
+
+// A ball crosses its own path at one depth, as in engravings. Both grooves are tangent in the
+// lowest point of each crossing, where the curves in which they meet cross. A line leaves two faces
+// of the ring and three of its own groove; two full circles leave two or three faces each.
+TEST(Recognise, KnowsGroovesThatCrossAtOneDepth) {
+    const auto ring = [](double x, double y, double centre) {
+        return std::abs(std::hypot(x - centre, y - 30.0) - 12.0);
+    };
+    struct Case {
+        std::string moves;
+        std::function<double(double, double)> distance;
+        int cylinders, tori;
+    };
+    const std::vector<Case> cases{
+        {"G0 X-9 Y35 Z5\nG1 Z-6\nG1 X89\nG0 Z5\nG0 X52 Y30\nG1 Z-6\nG3 X52 Y30 I-12 J0\nG0 Z5\n",
+         [&](double x, double y) { return std::min(std::abs(y - 35.0), ring(x, y, 40.0)); }, 6, 2},
+        {"G0 X45 Y30 Z5\nG1 Z-6\nG3 X45 Y30 I-12 J0\nG0 Z5\nG0 X59 Y30\nG1 Z-6\n"
+         "G2 X59 Y30 I-12 J0\nG0 Z5\n",
+         [&](double x, double y) { return std::min(ring(x, y, 33.0), ring(x, y, 47.0)); }, 8, 4},
+    };
+    for (const Case& c : cases) {
+        const double left = kBlock - removed_by_ball(c.distance);
+        for (const double tolerance : {0.05, 0.02}) {
+            SCOPED_TRACE(c.moves + std::to_string(tolerance));
+            const Made made = make({"crossing", "T3 M6\n" + c.moves, {}, 0.0}, tolerance);
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_NEAR(volume(made.solid.part), left, 0.1);
+            const Kinds kinds = kinds_of(made.solid.part);
+            EXPECT_EQ(kinds[1], c.cylinders);
+            EXPECT_EQ(kinds[4], c.tori);
+        }
+    }
 }
 
 // A bore from the side of a bar has a closed spline as its mouth, with steps of equal length.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ncsim::brep {
 
@@ -157,6 +158,79 @@ std::optional<Vec3> common_circle(const Form& a, const Form& b, Vec3 p) {
     if (const auto* dome = std::get_if<Dome>(&b)) return common_circle(*dome, a, p);
     if (const auto* dome = std::get_if<Dome>(&a)) return common_circle(*dome, b, p);
     return std::nullopt;
+}
+
+namespace {
+
+// Path of a ball's centre: a line, or a circle about `axis`.
+struct CentrePath {
+    Vec3 centre, axis;
+    double reach = 0.0;  // 0 for a line along `axis`
+    double ball = 0.0;
+    Vec3 direction_at(Vec3 p) const {
+        return reach > 0.0 ? normalized(cross(axis, p - centre)) : axis;
+    }
+};
+
+std::optional<CentrePath> centre_path(const Form& form) {
+    if (const auto* pipe = std::get_if<Cylinder>(&form))
+        return CentrePath{pipe->origin, pipe->axis, 0.0, pipe->radius};
+    if (const auto* ring = std::get_if<Torus>(&form))
+        return CentrePath{ring->centre, ring->axis, ring->major, ring->minor};
+    return std::nullopt;
+}
+
+// Returns where the line and the circle meet.
+std::vector<Vec3> common_points(const CentrePath& circle, const CentrePath& line) {
+    const double height = dot(line.centre - circle.centre, circle.axis);
+    const double lean = dot(line.axis, circle.axis);
+    if (!is_perpendicular(line.axis, circle.axis)) {
+        const Vec3 at = line.centre - (height / lean) * line.axis;
+        if (is_near(norm(at - circle.centre), circle.reach)) return {at};
+        return {};
+    }
+    const Vec3 foot = line.centre + dot(circle.centre - line.centre, line.axis) * line.axis;
+    const double off = norm(foot - circle.centre);
+    if (!is_near(height, 0.0) || off >= circle.reach) return {};
+    const double half = std::sqrt(circle.reach * circle.reach - off * off);
+    return {foot + half * line.axis, foot - half * line.axis};
+}
+
+// Returns where two circles in one plane meet.
+std::vector<Vec3> common_points_of_circles(const CentrePath& a, const CentrePath& b) {
+    const Vec3 between = b.centre - a.centre;
+    const double d = norm(between);
+    if (!is_parallel(a.axis, b.axis) || !is_near(dot(between, a.axis), 0.0) ||
+        d < kLeastAxisDistance)
+        return {};
+    const double along = 0.5 * (d + (a.reach - b.reach) * (a.reach + b.reach) / d);
+    if (std::abs(along) >= a.reach) return {};
+    const Vec3 ahead = (1.0 / d) * between, side = cross(a.axis, ahead);
+    const double half = std::sqrt(a.reach * a.reach - along * along);
+    return {a.centre + along * ahead + half * side, a.centre + along * ahead - half * side};
+}
+
+}  // namespace
+
+std::optional<Vec3> crossing_of_grooves(const Form& a, const Form& b, Vec3 p) {
+    constexpr double kLeastSine = 0.01;  // of the angle between both paths
+    const auto one = centre_path(a), other = centre_path(b);
+    if (!one || !other || !is_near(one->ball, other->ball) ||
+        (one->reach == 0.0 && other->reach == 0.0))
+        return std::nullopt;
+    const std::vector<Vec3> common = one->reach == 0.0     ? common_points(*other, *one)
+                                     : other->reach == 0.0 ? common_points(*one, *other)
+                                                           : common_points_of_circles(*one, *other);
+    std::optional<Vec3> nearest;
+    for (const Vec3& centre : common) {
+        const Vec3 out = cross(one->direction_at(centre), other->direction_at(centre));
+        if (norm(out) < kLeastSine) continue;
+        for (const double sign : {-1.0, 1.0}) {
+            const Vec3 at = centre + (sign * one->ball) * normalized(out);
+            if (!nearest || norm(at - p) < norm(*nearest - p)) nearest = at;
+        }
+    }
+    return nearest;
 }
 
 bool is_nearer(const Plane& one, const Plane& other, Vec3 p) {

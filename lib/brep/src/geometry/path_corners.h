@@ -50,6 +50,11 @@ std::optional<Vec3> common_circle(const Form& a, const Form& b, Vec3 p);
 bool belongs_to_circle(const Coil& coil, Vec3 centre, Vec3 p);
 bool belongs_to_circle(const Dome& dome, Vec3 centre, Vec3 p);
 
+/// Returns the point nearest to `p` in which a ball that crossed its own path touched both grooves:
+/// a straight one and one along an arc, or two along arcs, of equal radius. There the surfaces are
+/// tangent, and their curves of intersection cross.
+std::optional<Vec3> crossing_of_grooves(const Form& a, const Form& b, Vec3 p);
+
 /// True if `p` is nearer to the first plane than to the second.
 bool is_nearer(const Plane& one, const Plane& other, Vec3 p);
 

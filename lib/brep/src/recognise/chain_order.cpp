@@ -179,6 +179,49 @@ bool Chains::ends_before(const Chain& chain, std::uint32_t other, std::uint32_t 
     return false;
 }
 
+// Where a ball crossed its own path, both grooves touch in a point of their edge. Facets of both
+// end next to it.
+bool Chains::split_at_crossing(std::uint32_t number) {
+    const Chain& chain = chains_[number];
+    const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
+    const std::vector<Vec3> points = points_of(chain);
+    const double near = reach({chain.left, chain.right});
+    const auto is_at = [](const Vertex& v, Vec3 p) { return norm(v.at - p) <= kTangencyGapMm; };
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+        const auto crossing = crossing_of_grooves(a, b, points[i]);
+        if (!crossing) return false;
+        const double far = norm(*crossing - points[i]);
+        const bool is_nearest =
+            far <= norm(*crossing - points[i - 1]) && far <= norm(*crossing - points[i + 1]);
+        if (far >= near || !is_nearest || is_at(vertices_[chain.from], *crossing) ||
+            is_at(vertices_[chain.to], *crossing))
+            continue;
+        divide(number, i, *crossing);
+        return true;
+    }
+    return false;
+}
+
+// At the start of its i-th edge, which is to be at `at`.
+void Chains::divide(std::uint32_t number, std::size_t i, Vec3 at) {
+    const auto added = static_cast<std::uint32_t>(chains_.size());
+    const auto vertex = static_cast<std::uint32_t>(vertices_.size());
+    Chain rest = chains_[number];
+    vertices_.push_back({at, {rest.left, rest.right}});
+    std::ranges::sort(vertices_.back().groups);
+    const auto begin = rest.edges.begin() + static_cast<std::ptrdiff_t>(i);
+    chains_[number].edges.assign(rest.edges.begin(), begin);
+    chains_[number].to = vertex;
+    rest.edges.erase(rest.edges.begin(), begin);
+    rest.from = vertex;
+    for (const std::uint32_t h : rest.edges) {
+        chain_of_[h] = added;
+        chain_of_[mesh_.edges()[h].twin] = added;
+    }
+    chains_.push_back(std::move(rest));
+    bend(added);
+}
+
 // Where the edge of two ramps has a corner that is nearer to its end than facets are wide; and
 // where that of two pipes passes from the one ellipse in which they meet to the other.
 void Chains::bend(std::uint32_t number) {
@@ -189,6 +232,7 @@ void Chains::bend(std::uint32_t number) {
     const auto corner = corner_of_bend(groups_.form_of(chain.left), groups_.form_of(chain.right),
                                        from.at, to.at, past);
     if (!corner) {
+        if (!chain.is_flipped && split_at_crossing(number)) return;
         const auto hinge = hinge_of(groups_.form_of(chain.left), groups_.form_of(chain.right),
                                     from.at, past, to.at);
         if (!hinge || chain.is_flipped) return;

@@ -113,6 +113,8 @@ private:
     bool is_bend_ahead(const Vertex& v, const std::vector<Spoke>& spokes) const;
     void add_chain(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right);
     bool ends_before(const Chain& chain, std::uint32_t other, std::uint32_t end, Vec3 corner);
+    bool split_at_crossing(std::uint32_t number);
+    void divide(std::uint32_t number, std::size_t i, Vec3 at);
     void bend(std::uint32_t number);
     void split_at(std::uint32_t number, Vec3 corner, bool is_at_start);
     void move_to_wall(std::uint32_t number);

@@ -18,6 +18,7 @@
 #include "heal/fine_splines.h"
 #include "heal/non_simple_faces.h"
 #include "heal/nonplanar_faces.h"
+#include "heal/pinched_faces.h"
 #include "heal/reader_compatibility.h"
 #include "heal/tangent_holes.h"
 #include "heal/vertex_distance.h"
@@ -518,6 +519,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, SweptSurf
             solid.voids.push_back(add(s));
         result.part.solids.push_back(std::move(solid));
     }
+    split_pinched_faces(result.part);
     split_wide_edges(result.part);
     split_faces_at_tangent_holes(result.part);
     split_cones_at_base_circle(result.part);
