@@ -13,6 +13,7 @@
 #include "brep/slot_parts.h"
 #include "query/part_check.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -196,6 +197,33 @@ TEST(Recognise, KnowsGroovesThatCrossAtOneDepth) {
     }
 }
 
+// On a circle narrower than itself, a ball leaves a torus with a tip in the middle. The tip is
+// inside the face of a full circle, and a corner between three faces on a part of a circle.
+TEST(Recognise, KnowsCirclesNarrowerThanTheBall) {
+    for (const double degrees : {135.0, 225.0, 315.0, 360.0}) {
+        const double end = degrees * kPi / 180.0;
+        const double x = 40.0 + 2.0 * std::cos(end), y = 30.0 + 2.0 * std::sin(end);
+        const auto distance = [&](double u, double v) {
+            const double turn = std::atan2(v - 30.0, u - 40.0);
+            if ((turn < 0.0 ? turn + 2.0 * kPi : turn) <= end)
+                return std::abs(std::hypot(u - 40.0, v - 30.0) - 2.0);
+            return std::min(std::hypot(u - 42.0, v - 30.0), std::hypot(u - x, v - y));
+        };
+        const double left = kBlock - removed_by_ball(distance);
+        const std::string moves =
+            fmt::format("T3 M6\nG0 X42 Y30 Z5\nG1 Z-6\nG3 X{:.9f} Y{:.9f} I-2 J0\nG0 Z5\n", x, y);
+        const bool is_full = degrees == 360.0;
+        for (const double tolerance : {0.05, 0.02}) {
+            SCOPED_TRACE(moves + std::to_string(tolerance));
+            const Made made = make({"circle", moves, {}, 0.0}, tolerance);
+            EXPECT_EQ(kinds_of(made.solid.part),
+                      (Kinds{6, is_full ? 1 : 3, 0, is_full ? 0 : 2, 1}));
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_NEAR(volume(made.solid.part), left, 0.1);
+        }
+    }
+}
+
 // A bore from the side of a bar has a closed spline as its mouth, with steps of equal length.
 // OpenCASCADE searches curves on the bar at even steps of their parameter. If the first steps are
 // half a micrometre, OpenCASCADE finds that the curve crosses itself.
@@ -317,13 +345,13 @@ bool has_facet_beside(const Part& part) {
     });
 }
 
-// A ball on an arc smaller than the ball leaves facets in the floor of a ramp. The ramp is less
+// A ball on a helix smaller than the ball leaves facets in the floor of a ramp. The ramp is less
 // steep than the facets are large. Readers would find edges of adjacent facets on the opposite side
 // of the ramp and draw nothing.
 TEST(Recognise, FlatRampsHaveNoFacetsBesideThem) {
     const Golden golden{"flat_ramp",
                         "T1 M6\nG0 X15 Y30 Z5\nG1 Z-3\nG1 X65 Z-3.1\nG0 Z5\n"
-                        "T3 M6\nG0 X40 Y30 Z5\nG1 Z-5\nG2 X40 Y30 I-1.5 J0\nG0 Z5\n",
+                        "T3 M6\nG0 X40 Y30 Z5\nG1 Z-3\nG2 X40 Y30 Z-5 I-1.5 J0\nG0 Z5\n",
                         {},
                         0.0};
     const Made made = make(golden, 0.05);

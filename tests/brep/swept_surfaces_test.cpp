@@ -65,14 +65,16 @@ TEST(SweptSurfaces, OfArcsAboutTheToolsDirection) {
     EXPECT_EQ(counts(last_of(kFlat, "G3 X8 I4 J0"))["cylinder"], 1);
 }
 
-// The tip of a spindle is at the end of a face only if the ball turns by half a turn at most.
-TEST(SweptSurfaces, SpindlesOfAtMostHalfATurn) {
-    EXPECT_EQ(counts(last_of(kBall, "G3 X4 I2 J0"))["torus"], 1);
-    const SweptSurfaces longer = last_of(kBall, "G3 X2 Y2 I2 J0");
-    EXPECT_EQ(counts(longer)["torus"], 0);
-    EXPECT_TRUE(longer.may_leave_other_surfaces);
-    EXPECT_EQ(counts(last_of(kBall, "G19 G2 Y4 J2 K0"))["torus"], 1);
-    EXPECT_EQ(counts(last_of(kBall, "G19 G2 Y0 Z0 J2 K0"))["torus"], 0);
+// On circles narrower than the ball, the torus is a spindle.
+TEST(SweptSurfaces, SpindlesOfArcsAndCircles) {
+    for (const char* moves : {"G3 X4 I2 J0", "G3 X2 Y2 I2 J0", "G3 X0 Y0 I2 J0", "G19 G2 Y4 J2 K0",
+                              "G19 G2 Y0 Z0 J2 K0"}) {
+        const SweptSurfaces source = last_of(kBall, moves);
+        EXPECT_EQ(counts(source)["torus"], 1) << moves;
+        EXPECT_FALSE(source.may_leave_other_surfaces) << moves;
+    }
+    // The inner half of the tube of a bull nose.
+    EXPECT_EQ(counts(last_of(kBull, "G3 X0 Y0 I5 J0"))["torus"], 2);
 }
 
 TEST(SweptSurfaces, OfArcsAcrossTheToolsDirection) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A loop is cut off where it returns to a corner. From which corner the loop is followed decides
-// which pieces are cut off; correct are those that all surround area.
+// which pieces are cut off; correct are those that are sound faces.
 #include "heal/pinched_faces.h"
 
 #include "ncsim/brep/frames.h"
-#include "ncsim/brep/measure.h"
 
+#include "geometry/tolerances.h"
 #include "heal/non_simple_faces.h"
+#include "query/part_check.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -58,13 +59,20 @@ std::vector<Loop> simple_loops(const Part& part, const Loop& loop, std::size_t s
     return simple;
 }
 
-bool surround_area(const Part& part, const Face& face, const std::vector<Loop>& loops) {
-    return std::ranges::all_of(loops, [&](const Loop& loop) {
-        Face alone = face;
-        alone.loops = {loop};
-        alone.frame = frame_for(part, alone);
-        return measure(part, alone, alone.frame.origin, Exactness::Rough).area > 0.0;
-    });
+// Returns a face for each loop; empty if one of them is not sound.
+std::vector<Face> pieces_of(Part& part, std::uint32_t f, const std::vector<Loop>& loops) {
+    const Face face = part.faces[f];
+    std::vector<Face> pieces;
+    for (const Loop& loop : loops) {
+        part.faces[f].loops = {loop};
+        part.faces[f].frame = frame_for(part, part.faces[f]);
+        double miss = 0.0;
+        if (!faults_of(part, f, kTangencyGapMm, miss).empty()) break;
+        pieces.push_back(part.faces[f]);
+    }
+    part.faces[f] = face;
+    if (pieces.size() < loops.size()) pieces.clear();
+    return pieces;
 }
 
 }  // namespace
@@ -77,18 +85,12 @@ void split_pinched_faces(Part& part) {
         const std::vector<std::size_t> returns = returns_of(part, face.loops.front());
         if (returns.empty()) continue;
         for (const std::size_t start : returns) {
-            const std::vector<Loop> loops = simple_loops(part, face.loops.front(), start);
-            if (!surround_area(part, face, loops)) continue;
-            for (std::size_t i = 0; i < loops.size(); ++i) {
-                Face piece = face;
-                piece.loops = {loops[i]};
-                piece.frame = frame_for(part, piece);
-                if (i == 0) {
-                    part.faces[f] = std::move(piece);
-                } else {
-                    append_face(part, f, std::move(piece));
-                }
-            }
+            std::vector<Face> pieces =
+                pieces_of(part, f, simple_loops(part, face.loops.front(), start));
+            if (pieces.empty()) continue;
+            part.faces[f] = std::move(pieces.front());
+            for (std::size_t i = 1; i < pieces.size(); ++i)
+                append_face(part, f, std::move(pieces[i]));
             break;
         }
     }

@@ -82,6 +82,8 @@ bool is_without_end(const Part& part, const Face& face) {
     const auto* torus = std::get_if<Torus>(&face.surface.form);
     if (!torus) return false;
     auto loops = points_along(part, face);
+    // On a spindle, the tip is the other end.
+    if (is_spindle(*torus)) return false;
     if (std::abs(turns_about(loops, torus->centre, torus->axis)) > kHalf) return true;
     const Axes axes(torus->centre, face.frame);
     for (auto& points : loops) {

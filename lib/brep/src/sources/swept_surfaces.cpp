@@ -107,7 +107,7 @@ public:
     void rest(const ProfileElement& e, Vec3 tip, Vec3 axis) {
         const Vec3 at = tip + e.height * axis;
         if (e.fillet > 0.0) {
-            tube(at, axis, e.radius, e.fillet, true);
+            tube(at, axis, e.radius, e.fillet);
         } else if (std::abs(e.rise()) <= kEqual) {
             disc(e, at, axis);
         } else if (std::abs(e.widening()) <= kEqual) {
@@ -156,11 +156,8 @@ public:
         const double reach = path.reach;
         if (e.fillet > 0.0) {
             if (!is_level) return envelope(e, path);
-            const bool may_be_spindle = is_at_most_half(path.swept);
-            // The inner half of the tube is above the flat end of a bull nose.
-            tube(at, axis, reach + e.radius, e.fillet, may_be_spindle || e.radius > kEqual);
-            if (e.radius > kEqual && reach > e.radius)
-                tube(at, axis, reach - e.radius, e.fillet, may_be_spindle);
+            tube(at, axis, reach + e.radius, e.fillet);
+            if (e.radius > kEqual && reach > e.radius) tube(at, axis, reach - e.radius, e.fillet);
         } else if (std::abs(e.rise()) <= kEqual) {
             if (is_level) disc(e, at, axis);
         } else if (std::abs(e.widening()) <= kEqual) {
@@ -398,8 +395,7 @@ public:
     // planes.
     void arc_across(const ProfileElement& e, const ArcPath& path, Vec3 axis) {
         if (e.fillet > 0.0) {
-            tube(path.centre + e.height * axis, path.about, path.radius, e.fillet,
-                 is_at_most_half(path.swept));
+            tube(path.centre + e.height * axis, path.about, path.radius, e.fillet);
         } else if (std::abs(e.widening()) <= kEqual) {
             for (const double sign : {-1.0, 1.0})
                 add(Plane{path.centre + (sign * e.radius) * path.about, -sign * path.about}, false);
@@ -409,11 +405,6 @@ public:
     }
 
 private:
-    // On longer arcs, the tip of a spindle may be inside a face.
-    static bool is_at_most_half(double swept) {
-        return std::abs(swept) <= std::numbers::pi + kEqual;
-    }
-
     // Sets the chord factor for helices. Between a pose of a helix and the next, lower pose, a
     // ledge is left on the inner wall, as wide as two circles are apart next to their point of
     // tangency.
@@ -455,14 +446,11 @@ private:
         add(Plane{at, e.widening() > 0.0 ? axis : -axis});
     }
 
-    void tube(Vec3 centre, Vec3 axis, double major, double minor, bool may_be_spindle = false) {
-        const Torus torus{centre, axis, major, minor};
+    void tube(Vec3 centre, Vec3 axis, double major, double minor) {
         if (major <= kEqual) {
             add(Sphere{centre, minor});
-        } else if (!is_spindle(torus) || may_be_spindle) {
-            add(torus);
-        } else if (!at_rest_) {
-            note_unlisted_surfaces();
+        } else {
+            add(Torus{centre, axis, major, minor});
         }
     }
 

@@ -173,9 +173,11 @@ Frame frame_of_plane(const Part& part, const Face& face, const Plane& plane) {
 
 bool has_tip(const Part& part, const Face& face) {
     const auto* cone = std::get_if<Cone>(&face.surface.form);
-    if (!cone) return false;
-    const AngularExtent round = angular_extent(points_along(part, face), cone->apex, cone->axis,
-                                               any_perpendicular(cone->axis));
+    const auto* torus = std::get_if<Torus>(&face.surface.form);
+    if (!cone && !(torus && is_spindle(*torus))) return false;
+    const Vec3 axis = cone ? cone->axis : torus->axis;
+    const AngularExtent round = angular_extent(
+        points_along(part, face), cone ? cone->apex : torus->centre, axis, any_perpendicular(axis));
     return std::abs(round.sum) > 180.0;
 }
 

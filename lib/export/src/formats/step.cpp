@@ -581,7 +581,7 @@ private:
         // A vertex loop marks a cone's apex that is inside the face. Without the loop, readers lose
         // the apex unless the only edge of the face is a circle.
         if (brep::has_tip(part_, from)) {
-            const Entity tip = point(std::get<brep::Cone>(from.surface.form).apex);
+            const Entity tip = point(tip_of(from));
             const Entity corner = add("VERTEX_POINT(''," + ref(tip) + ")");
             const Entity loop = add("VERTEX_LOOP(''," + ref(corner) + ")");
             bounds.push_back(add("FACE_BOUND(''," + ref(loop) + ",.T.)"));
@@ -593,6 +593,14 @@ private:
         faces_[number] = made;
         styled_.push_back(add("STYLED_ITEM('',(" + ref(look) + ")," + ref(made) + ")"));
         return made;
+    }
+
+    static Vec3 tip_of(const brep::Face& face) {
+        if (const auto* cone = std::get_if<brep::Cone>(&face.surface.form)) return cone->apex;
+        const auto& torus = std::get<brep::Torus>(face.surface.form);
+        const double height =
+            std::sqrt(std::max(0.0, torus.minor * torus.minor - torus.major * torus.major));
+        return torus.centre - height * face.frame.axis;
     }
 
     struct Surface {

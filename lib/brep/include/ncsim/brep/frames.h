@@ -9,7 +9,8 @@
 
 namespace ncsim::brep {
 
-/// True if the face lies on a cone and contains its apex.
+/// True if the face lies on a cone and contains its apex, or on a spindle (is_spindle()) and
+/// contains the tip.
 bool has_tip(const Part& part, const Face& face);
 
 /// Returns the frame for the surface of `face`. The x axis points to the middle of the widest angle

@@ -99,7 +99,7 @@ using Form = std::variant<Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Dome,
 
 /// True if the torus is as thick as wide or thicker: major <= minor (1 + 1e-6). Faces on a spindle
 /// lie below the centre as seen along the axis, on the side away from the axis. A tip of the
-/// spindle may be a corner of a face.
+/// spindle may be a corner of a face or inside a face (has_tip()).
 bool is_spindle(const Torus& torus);
 /// Returns the angle around the tube of the tip below the centre of a spindle, degrees from the
 /// outermost circle, from -180 to -90.

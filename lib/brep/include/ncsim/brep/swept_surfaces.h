@@ -68,8 +68,7 @@ struct SweptSurfaces {
 /// Arcs whose radius changes by more than 4 µm leave planes below flat ends and spirals along
 /// upright sides. No surface is returned for:
 /// - corners on lines that rise by less than 1 µm per mm,
-/// - arcs whose radius changes by more than a fifth of the radius per radian,
-/// - spindles of balls on arcs of more than half a turn, where the tip may be inside a face.
+/// - arcs whose radius changes by more than a fifth of the radius per radian.
 ///
 /// A tool that changes its direction leaves envelopes on lines: of sides and balls, and of corner
 /// radii and rims unless the flat end is level somewhere; also the surfaces at rest. On a circle
