@@ -60,23 +60,12 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, ArcCentr
     state_.is_at_start = !options.start_is_of_machine;
 }
 
-bool Machine::is_known(std::size_t axis) const {
-    return axis == kX   ? state_.known.x
-           : axis == kY ? state_.known.y
-           : axis == kZ ? state_.known.z
-                        : true;
-}
-
 /// Marks the position of `axis` as known in the active system.
 void Machine::mark_known(std::size_t axis) {
     state_.place_frame[axis] = state_.frame[axis];
-    if (axis == kX) state_.known.x = true;
-    if (axis == kY) state_.known.y = true;
-    if (axis == kZ) state_.known.z = true;
+    state_.known[axis] = true;
 }
 
-/// Returns the first move before G90 and G91 if neither the control nor the values determine the
-/// mode.
 void Machine::report_to(Interpretation& result) const {
     result.uses_length_offsets = uses_length_offsets_;
     result.requested_tip_positions = requested_tip_positions_;
@@ -87,6 +76,8 @@ void Machine::report_to(Interpretation& result) const {
     result.uses_inches = state_.first_length_seen ? state_.first_length_in_inches : state_.inches;
 }
 
+/// Returns the first move before G90 and G91 if neither the control nor the values determine the
+/// mode.
 std::optional<ProgramPlace> Machine::distance_guess() const {
     const bool starts_absolute = rules_.is_linuxcnc() || rules_.dialect == Dialect::Grbl ||
                                  rules_.dialect == Dialect::Haas ||
@@ -169,7 +160,8 @@ bool Machine::keeps_frame(const Command& command) const {
         return false;
     switch (command.group(Group::ToolLength)) {
         case Code::None: return true;
-        case Code::G49: return state_.length_register == kNoLength && state_.tool_offset == Axes{};
+        case Code::G49:
+            return state_.length_register == kNoLength && state_.frames.tool_offset == Axes{};
         case Code::G43: return is_length_active(command);
         default: return false;
     }
@@ -183,7 +175,7 @@ bool Machine::is_length_active(const Command& command) const {
     const auto entry = std::ranges::find(control_.store->tools, h, &ToolTableEntry::number);
     for (std::size_t i = 0; entry != control_.store->tools.end() && i < 3; ++i)
         offset[i] = entry->offset[i].mm() / state_.unit_mm();
-    return offset == state_.tool_offset;
+    return offset == state_.frames.tool_offset;
 }
 
 std::optional<Plane> Machine::plane_of(const Command& command) {
@@ -234,7 +226,6 @@ bool Machine::act(const Command& command) {
     }
     if (const Code code = command.group(Group::NotSimulated); code != Code::None)
         return fail(Message::NotSimulated, span_of_g(command, code), {name_of(code)});
-    motion_was_named_ = command.group(Group::Motion) != Code::None;
     if (!check(command) || !check_plane(command) || !check_dynamic_offset(command)) return false;
     if (command.corner != 0 && !ends_in_corner(command)) {
         return fail(Message::CornerWord, command.corner_span, {corner_name(command.corner)});
@@ -480,7 +471,7 @@ bool Machine::check_tip_control(const Command& command) {
                     {name_of(motion == Code::None ? state_.motion : motion)});
     }
     // In a tilted plane, cycles, arcs and compensation use X, Y and Z of the plane.
-    if (state_.plane_frame) return true;
+    if (state_.frames.tilt) return true;
     bool turns = is_turned();
     for (const char letter : {'A', 'B', 'C'})
         turns |= command.has(letter) && command[letter] != 0.0;
@@ -496,9 +487,9 @@ bool Machine::check_tip_control(const Command& command) {
         what = name_of(command.group(Group::HolePattern));
     } else if (state_.cutter_side != CutterSide::Off) {
         what = state_.cutter_side == CutterSide::Left ? "G41" : "G42";
-    } else if (state_.programmed.rotated || state_.programmed.scaled) {
-        what = state_.programmed.rotated ? "G68" : "G51";
-    } else if (state_.programmed.polar) {
+    } else if (state_.frames.programmed.changes_places()) {
+        what = state_.frames.programmed.rotated ? "G68" : "G51";
+    } else if (state_.frames.programmed.polar) {
         what = "G16";
     }
     return what.empty() || fail(Message::TipControlForbids, command.span, {what});
@@ -515,33 +506,12 @@ namespace {
 
 /// Converts all lengths of `state`; `factor` = new value / old value.
 void convert_units(MachineState& state, double factor) {
-    const auto scale = [factor](Axes& axes) {
-        for (std::size_t i = 0; i < axes.size(); ++i) {
-            if (!is_rotary(i)) axes[i] *= factor;
-        }
-    };
-    scale(state.position);
-    scale(state.work_offset);
-    scale(state.offset_92);
-    scale(state.tool_offset);
-    scale(state.zero_92);
-    scale(state.uncancelled);
+    scale_lengths(state.position, factor);
+    scale_lengths(state.uncancelled, factor);
+    state.frames.scale_lengths(factor);
     state.cutter_radius *= factor;
     if (state.feed_mode != FeedMode::InverseTime) state.feed *= factor;
-    ProgrammedTransform& programmed = state.programmed;
-    programmed.centre_1 *= factor;
-    programmed.centre_2 *= factor;
-    for (double& c : programmed.scale_centre)
-        c *= factor;
-    for (std::size_t i = 0; state.plane_frame && i < 3; ++i)
-        state.plane_frame->origin[i] *= factor;
     if (state.cylinder) state.cylinder->radius *= factor;
-    for (double& v : state.outer_92)
-        v *= factor;
-    for (std::size_t i = 0; state.dynamic_offset && i < 3; ++i)
-        (*state.dynamic_offset)[i] *= factor;
-    for (double& v : state.dynamic_offset_home)
-        v *= factor;
     state.inches = !state.inches;
 }
 
@@ -555,11 +525,8 @@ void Machine::set_units(bool inches) {
     compensation_.convert_units(factor,
                                 [factor](MachineState& s) { gcode::convert_units(s, factor); });
     Store& store = control_.store.change();
-    for (std::size_t i = 0; i < store.probed.size(); ++i) {
-        if (is_rotary(i)) continue;
-        store.probed[i] *= factor;
-        store.via[i] *= factor;
-    }
+    scale_lengths(store.probed, factor);
+    scale_lengths(store.via, factor);
     for (std::size_t i = 0; store.specified_plane && i < 3; ++i)
         store.specified_plane->origin[i] *= factor;
 }
@@ -654,7 +621,7 @@ void Machine::finish() {
     end_polar_interpolation();
     end_plane();
     set_dynamic_offset(std::nullopt);
-    state_.dynamic_offset_home = {};
+    state_.frames.dynamic_offset_home = {};
     state_.table_offset = 0;
     state_.cylinder.reset();
     select_system(1);
@@ -669,7 +636,7 @@ void Machine::finish() {
     state_.spindle_in_doubt = false;
     state_.spindle_oriented = false;
     state_.motion = Code::G1;
-    state_.programmed = {};
+    state_.frames.programmed = {};
 }
 
 }  // namespace ncsim::gcode

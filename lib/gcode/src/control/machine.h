@@ -12,8 +12,8 @@
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"
+#include "ncsim/gcode/frame_stack.h"
 #include "ncsim/gcode/interpretation.h"
-#include "ncsim/gcode/positions.h"
 #include "ncsim/gcode/state.h"
 
 #include "control/command.h"
@@ -93,7 +93,7 @@ public:
     // For languages other than G-code, whose blocks have no words of G-code for these actions.
     /// Returns the position in the coordinates of the program: rotation, scale and mirror images
     /// are removed.
-    Axes programmed_position() const { return to_programmed(state_.position); }
+    Axes programmed_position() const { return state_.programmed_position(); }
     /// Solution of the rotary axes: as the machine prefers, with the leading axis at or above
     /// (below) 0, or with the least (greatest) position of the leading axis.
     enum class LeadingAxis : std::uint8_t { Preferred, Positive, Negative, Least, Greatest };
@@ -259,13 +259,13 @@ private:
     bool find_ends(const Command& command, Axes& end, AxisMask& mask);
     bool polar_ends(const Command& command, Axes& end, AxisMask& mask);
     Axes to_programmed(const Axes& position) const {
-        return gcode::to_programmed(state_.programmed, position);
+        return state_.frames.programmed.remove(position);
     }
     Axes from_programmed(const Axes& programmed) const {
-        return gcode::from_programmed(state_.programmed, programmed);
+        return state_.frames.programmed.apply(programmed);
     }
-    Axes machine_position() const { return gcode::machine_position(state_); }
-    Axes from_machine(const Axes& machine) const { return gcode::from_machine(state_, machine); }
+    Axes machine_position() const { return state_.machine_position(); }
+    Axes from_machine(const Axes& machine) const { return state_.frames.from_machine(machine); }
     bool needs_feed(const Command& command, std::string_view what);
     bool feed_straight(const Axes& end, MoveKind kind, AxisMask mask);
     Axes with_cancelled_offset(const Axes& end, AxisMask mask);
@@ -319,7 +319,7 @@ private:
     bool stop_with(const MessageText& message, SourceSpan span,
                    std::initializer_list<std::string_view> arguments);
     bool check_tip_control(const Command& command);
-    bool is_known(std::size_t axis) const;
+    bool is_known(std::size_t axis) const { return state_.is_known(axis); }
     void mark_known(std::size_t axis);
 
     SourceSpan span_of(const Command& command, char letter) const;
@@ -356,7 +356,6 @@ private:
     static constexpr int kExtended = 9;
     /// If the block is refused, the curve that contains the block is discarded.
     bool curve_fails_ = false;
-    bool motion_was_named_ = false;
     bool uses_length_offsets_ = false;
     bool requested_tip_positions_ = false;
     bool distance_is_stated_ = false;  ///< G90 or G91 was executed.

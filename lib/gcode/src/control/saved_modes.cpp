@@ -89,8 +89,8 @@ bool Machine::restore_modes(const SavedModes& saved, SourceSpan span) {
     const auto system = static_cast<std::size_t>(before.system - 1);
     put_if(before.system != now.system && system < kSystemCodes.size(), Group::WorkOffset,
            system < kSystemCodes.size() ? kSystemCodes[system] : Code::G54);
-    const bool had_length = before.tool_offset != Axes{};
-    put_if(had_length != (now.tool_offset != Axes{}), Group::ToolLength,
+    const bool had_length = before.frames.tool_offset != Axes{};
+    put_if(had_length != (now.frames.tool_offset != Axes{}), Group::ToolLength,
            had_length ? Code::G43 : Code::G49);
     put_if(before.retract_to_r != now.retract_to_r, Group::Retract,
            before.retract_to_r ? Code::G99 : Code::G98);

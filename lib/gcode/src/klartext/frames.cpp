@@ -68,7 +68,8 @@ bool Control::datum_shift(const Block& block, Scanner& scan) {
         }
         const std::optional<double> value = parameters_.read_value(scan, block);
         if (!value) return false;
-        put(command, kAxisNames[axis], *value + (is_incremental ? state.offset_92[axis] : 0.0));
+        put(command, kAxisNames[axis],
+            *value + (is_incremental ? state.frames.offset_92[axis] : 0.0));
     }
     if (command.present == 0) return true;
     if (!has_preset_ && !is_preset_reported_) {
@@ -86,7 +87,6 @@ bool Control::datum_shift(const Block& block, Scanner& scan) {
 bool Control::apply(const Block& block) {
     const Transformation& t = transformation_;
     const bool is_mirrored = std::ranges::find(t.is_mirrored, true) != t.is_mirrored.end();
-    const bool is_scaled = t.scale != std::array<double, 3>{1.0, 1.0, 1.0};
     const bool is_uneven = t.scale[0] != t.scale[1] || t.scale[1] != t.scale[2];
     if (t.angle != 0.0 && (is_mirrored || is_uneven)) {
         return fail(Message::KlartextVerb, block.whole(),
@@ -95,16 +95,11 @@ bool Control::apply(const Block& block) {
     if (side_ != CutterSide::Off)
         return fail(Message::KlartextVerb, block.whole(), {"a transformation under RL or RR"});
     machine_.flush();
-    ProgrammedTransform& programmed = machine_.state().programmed;
-    programmed.rotated = t.angle != 0.0;
-    programmed.plane = plane_;
-    programmed.angle = t.angle;
-    programmed.centre_1 = programmed.centre_2 = 0.0;
-    programmed.scaled = is_mirrored || is_scaled;
+    std::array<double, 3> factors = t.scale;
     for (std::size_t i = 0; i < 3; ++i) {
-        programmed.scale[i] = t.is_mirrored[i] ? -t.scale[i] : t.scale[i];
-        programmed.scale_centre[i] = t.centre[i];
+        if (t.is_mirrored[i]) factors[i] = -factors[i];
     }
+    machine_.state().frames.programmed.set(plane_, t.angle, factors, t.centre);
     refresh();
     tangent_.reset();
     return true;

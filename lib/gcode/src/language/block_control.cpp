@@ -77,10 +77,10 @@ bool BlockControl::run(const Command& command) {
 
 bool BlockControl::is_unknown(AxisMask mask) const {
     const MachineState& state = machine_.state();
-    const auto named = [mask](Axis axis) { return (mask >> axis & 1U) != 0; };
-    return (named(kX) && (!state.known.x || state.relative.x)) ||
-           (named(kY) && (!state.known.y || state.relative.y)) ||
-           (named(kZ) && (!state.known.z || state.relative.z));
+    for (std::size_t i = kX; i <= kZ; ++i) {
+        if ((mask >> i & 1U) != 0 && (!state.known[i] || state.relative[i])) return true;
+    }
+    return false;
 }
 
 void BlockControl::show_defined_cycle(int number, SourceSpan span) {

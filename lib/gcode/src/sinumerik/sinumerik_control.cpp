@@ -184,7 +184,7 @@ bool Control::set_system(int code, SourceSpan span) {
     constexpr double kWithoutOffset = 300.0;  // Number of the system that stands for G500.
     constexpr std::array kNamed{Code::G54, Code::G55, Code::G56, Code::G57};
     system_ = code;
-    const bool is_tilted = machine_.state().plane_frame.has_value();
+    const bool is_tilted = machine_.state().frames.tilt.has_value();
     if (is_tilted) machine_.end_tilt();
     Command command = make(span);
     if (code < 500) {
@@ -496,7 +496,7 @@ bool Control::line(const Words& words, Command& command, const Axes& end, AxisMa
         const std::size_t i = next_axis(rest);
         double value = by_increments && words.axis[i] ? words.axis[i]->value : end[i];
         // The length of the tool acts under SUPA, too.
-        if (is_of_machine && i < 3) value += state.tool_offset[i];
+        if (is_of_machine && i < 3) value += state.frames.tool_offset[i];
         put(command, language::kAxisNames[i], value);
     }
     command.axis_words = mask != 0;

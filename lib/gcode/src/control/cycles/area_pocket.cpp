@@ -100,7 +100,7 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
     if (state_.feed_mode == FeedMode::InverseTime)
         return fail(Message::CycleInverseTime, span, {"G150"});
     if (state_.plane != Plane::XY) return needs("the XY plane (G17)");
-    if (state_.programmed.scaled) return needs("scaling and mirroring off (G50)");
+    if (state_.frames.programmed.scaled) return needs("scaling and mirroring off (G50)");
     if (state_.incremental) return needs("absolute words (G90)");
     if (!command.has('Z') || !command.has('R')) return needs("a depth (Z) and a height (R)");
     if (command.has('I') == command.has('J')) return needs("one width of cut, I or J");

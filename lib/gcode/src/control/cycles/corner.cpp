@@ -88,8 +88,8 @@ bool Machine::hold_corner(const Command& command, const Axes& end, AxisMask mask
         return arc ? make_arc(*arc, mask) : feed_straight(end, MoveKind::Feed, mask);
     }
     double size = command.corner_size;
-    if (state_.programmed.scaled) {
-        size *= std::abs(state_.programmed.scale[axes_of(state_.plane).first % 3]);
+    if (state_.frames.programmed.scaled) {
+        size *= std::abs(state_.frames.programmed.scale[axes_of(state_.plane).first % 3]);
     }
     HeldCorner held;
     held.state = state_;
@@ -306,7 +306,8 @@ bool Machine::hold_angle(const Command& command, const Axes& end, AxisMask mask)
         return fail(Message::NegativeValue, command.corner_span, {corner_name(command.corner)});
     }
     double size = has_corner ? command.corner_size : 0.0;
-    if (state_.programmed.scaled) size *= std::abs(state_.programmed.scale[axes.first % 3]);
+    if (state_.frames.programmed.scaled)
+        size *= std::abs(state_.frames.programmed.scale[axes.first % 3]);
     const char letter = has_corner ? command.corner : 'A';
     HeldCorner held;
     held.state = state_;

@@ -43,7 +43,7 @@ bool Machine::pocket(const Command& command, Code code, bool words_taken) {
     if (state_.cycle.running && motion == Code::None)
         return needs("the drilling cycle ended (G80)");
     if (state_.plane != Plane::XY) return needs("the XY plane (G17)");
-    if (state_.programmed.scaled) return needs("scaling and mirroring off (G50)");
+    if (state_.frames.programmed.scaled) return needs("scaling and mirroring off (G50)");
     if (!command.has('I')) return needs("the radius of the first circle (I)");
     const double first = command['I'];
     const double last = command.get('K', first);

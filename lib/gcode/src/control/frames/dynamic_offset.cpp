@@ -14,9 +14,9 @@ namespace ncsim::gcode {
 
 /// Sets the displacement of the zero. The machine position stays; the program coordinates change.
 void Machine::set_dynamic_offset(const std::optional<std::array<double, 3>>& shift) {
-    if (shift == state_.dynamic_offset) return;
+    if (shift == state_.frames.dynamic_offset) return;
     const Axes machine = machine_position();
-    state_.dynamic_offset = shift;
+    state_.frames.dynamic_offset = shift;
     recompute_position(machine);
 }
 
@@ -33,13 +33,13 @@ bool Machine::apply_dynamic_offset(const Command& command) {
     const SourceSpan span = span_of_g(command, code);
     if (!options_.joints || !options_.joints->turns())
         return stop_with(Message::RotaryUnspecified, span, {name_of(code)});
-    if (state_.plane_frame || state_.coordinates == Coordinates::Tip)
+    if (state_.frames.tilt || state_.coordinates == Coordinates::Tip)
         return stop_with(Message::PlaneForbids, span, {name_of(code)});
     if (!is_turned()) return true;
     requested_tip_positions_ = true;
     Axes zero = axis_positions();
     for (std::size_t i = 0; i < 3; ++i)
-        zero[i] = state_.work_offset[i] * state_.unit_mm();
+        zero[i] = state_.frames.work_offset[i] * state_.unit_mm();
     const auto there =
         options_.joints->joints_for({zero[kX], zero[kY], zero[kZ]}, zero, length_mm());
     if (!there) return stop_with(Message::OutOfReach, span, {"the zero"});
@@ -89,11 +89,11 @@ bool Machine::offset_table(const Command& command, Code code) {
             is_setting_error ? Message::SettingErrorUnspecified : Message::FixtureOffsetUnspecified,
             span, {name});
     }
-    if (state_.plane_frame || state_.coordinates == Coordinates::Tip)
+    if (state_.frames.tilt || state_.coordinates == Coordinates::Tip)
         return stop_with(Message::CarriedUnderTip, span, {name_of(code)});
     if (state_.cutter_side != CutterSide::Off)
         return stop_with(Message::ForbiddenWithCompensation, span, {name_of(code)});
-    if (state_.dynamic_offset &&
+    if (state_.frames.dynamic_offset &&
         (state_.table_offset == 0 || state_.is_setting_error != is_setting_error))
         return stop_with(Message::TwoCarried, span, {name_of(code)});
     if (number != 0 && !take_setting(specified.by_number.at(number), specified, name, span))
@@ -101,11 +101,11 @@ bool Machine::offset_table(const Command& command, Code code) {
     const Axes machine = machine_position();
     state_.table_offset = number;
     state_.is_setting_error = is_setting_error;
-    state_.dynamic_offset.reset();
-    state_.dynamic_offset_home = {};
+    state_.frames.dynamic_offset.reset();
+    state_.frames.dynamic_offset_home = {};
     if (number != 0) {
-        state_.dynamic_offset = dynamic_offset_at(axis_positions());
-        state_.dynamic_offset_home = dynamic_offset_at({});
+        state_.frames.dynamic_offset = dynamic_offset_at(axis_positions());
+        state_.frames.dynamic_offset_home = dynamic_offset_at({});
     }
     if (!*specified.moves) {
         recompute_position(machine);
@@ -138,12 +138,12 @@ bool Machine::take_setting(const TableOffsets::One& one, const TableOffsets& all
 /// at the end of the move.
 void Machine::follow_table(Axes& end, AxisMask mask) {
     if (state_.table_offset == 0 || (mask & kRotaryAxes) == 0) return;
-    if (state_.plane_frame || state_.coordinates == Coordinates::Tip) return;
+    if (state_.frames.tilt || state_.coordinates == Coordinates::Tip) return;
     const Axes machine = machine_position(), before = state_.position;
     Axes turned = axis_positions();
     for (std::size_t i = kA; i <= kC; ++i)
-        turned[i] = end[i] + state_.offset_92[i] + state_.work_offset[i];
-    state_.dynamic_offset = dynamic_offset_at(turned);
+        turned[i] = end[i] + state_.frames.offset_92[i] + state_.frames.work_offset[i];
+    state_.frames.dynamic_offset = dynamic_offset_at(turned);
     recompute_position(machine);
     if (*table_offsets().moves) return;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -153,7 +153,7 @@ void Machine::follow_table(Axes& end, AxisMask mask) {
 
 /// Reports codes that are not simulated with a dynamic work offset.
 bool Machine::check_dynamic_offset(const Command& command) {
-    if (!state_.dynamic_offset) return true;
+    if (!state_.frames.dynamic_offset) return true;
     const bool turns = command.has_any(letters('A', 'B', 'C')) && !command.axes_are_taken();
     const Code one_shot = command.group(Group::OneShot);
     if (state_.table_offset == 0)
@@ -186,7 +186,7 @@ bool Machine::check_dynamic_offset(const Command& command) {
         goes_home && (!command.axis_words || command.has_any(letters('A', 'B', 'C')));
     if (homes_turn || one_shot == Code::G29 || (one_shot == Code::G53 && turns))
         return forbid(one_shot);
-    if (!turns || state_.plane_frame || state_.coordinates == Coordinates::Tip) return true;
+    if (!turns || state_.frames.tilt || state_.coordinates == Coordinates::Tip) return true;
     const Code motion = command.group(Group::Motion);
     const Code now = motion == Code::None ? state_.motion : motion;
     if (now > Code::G1) return fail(Message::CarriedForbids, command.span, {name_of(now), own});

@@ -38,9 +38,9 @@ bool Machine::home(const Command& command, bool second) {
     path_.set_machine_coordinates(false);
     if (before) resume(*before);
     if (rules_.home_cancels_length) state_.length_register = kNoLength;
-    if (rules_.home_cancels_length && state_.tool_offset != Axes{}) {
+    if (rules_.home_cancels_length && state_.frames.tool_offset != Axes{}) {
         const Axes machine = machine_position();
-        state_.tool_offset = {};
+        state_.frames.tool_offset = {};
         recompute_position(machine);
         ++state_.length_changes;
     }

@@ -56,16 +56,14 @@ void Machine::select_system(int system) {
 /// Applies the stored origin of the active system, with the axes at `machine`.
 void Machine::use_system(const Axes& machine) {
     const WorkOffset& offset = offset_of(state_.system);
-    state_.work_offset = from_mm(offset.origin, state_.unit_mm());
-    state_.rotation = offset.rotation;
+    state_.frames.work_offset = from_mm(offset.origin, state_.unit_mm());
+    state_.frames.rotation = offset.rotation;
     state_.frame = offset.frame;
     for (std::size_t i = 0; i < 3; ++i) {
         if (!is_known(i)) state_.place_frame[i] = state_.frame[i];
+        // Reference 0 is the machine, so a machine position is known in a system with reference 0.
+        state_.of_machine[i] = state_.of_machine[i] && state_.frame[i] != 0;
     }
-    // Reference 0 is the machine, so a machine position is known in a system with reference 0.
-    state_.of_machine.x &= state_.frame[kX] != 0;
-    state_.of_machine.y &= state_.frame[kY] != 0;
-    state_.of_machine.z &= state_.frame[kZ] != 0;
     recompute_position(machine);
 }
 
@@ -91,7 +89,8 @@ void Machine::assume_same_zero(Axes& machine) {
         used.insert(state_.frame[i]);
         const int frame = offset_of(state_.system).frame[i];
         if (!used.insert(frame).second) continue;
-        const double distance = state_.work_offset[i] * unit - offset_of(state_.system).origin[i];
+        const double distance =
+            state_.frames.work_offset[i] * unit - offset_of(state_.system).origin[i];
         if (frame != 0) {
             shift_frame(i, frame, distance);
             continue;
@@ -109,7 +108,8 @@ void Machine::assume_same_zero(Axes& machine) {
 /// the active system to G54.
 /// Returns: false, without effect, if X, Y and Z are not axis positions.
 bool Machine::place_at_start() {
-    if (state_.plane_frame || state_.dynamic_offset || state_.coordinates != Coordinates::Axes)
+    if (state_.frames.tilt || state_.frames.dynamic_offset ||
+        state_.coordinates != Coordinates::Axes)
         return false;
     const double unit = state_.unit_mm();
     Axes machine = machine_position();
@@ -125,7 +125,7 @@ bool Machine::place_at_start() {
         machine[i] = options_.start[i] ? start[i] + g54.origin[i] / unit : 0.0;
         store.used_frames[i] = {g54.frame[i]};
     }
-    state_.work_offset = from_mm(g54.origin, unit);
+    state_.frames.work_offset = from_mm(g54.origin, unit);
     state_.frame = state_.place_frame = g54.frame;
     assume_same_zero(machine);
     use_system(machine);
@@ -198,7 +198,7 @@ bool Machine::offset_92(const Command& command, Code code) {
         return fail(Message::ForbiddenWithCompensation, span_of_g(command, code), {"G92"});
     }
     const Axes machine = machine_position();
-    Axes offset = state_.offset_92;
+    Axes offset = state_.frames.offset_92;
     switch (code) {
         case Code::G92:
         // Smoothieware, Carvera: sets the position of the machine axis, as in "A0 is here".
@@ -214,13 +214,14 @@ bool Machine::offset_92(const Command& command, Code code) {
                 if (!command.has(kAxisNames[i])) continue;
                 const bool is_diameter = i == kX && state_.lathe_diameter;
                 const double value = command[kAxisNames[i]] / (is_diameter ? 2.0 : 1.0);
-                offset[i] =
-                    code == Code::G52 ? value : state_.position[i] + state_.offset_92[i] - value;
+                offset[i] = code == Code::G52
+                                ? value
+                                : state_.position[i] + state_.frames.offset_92[i] - value;
                 // If the position of the axis was unknown, G92 defines the position and the program
                 // zero.
-                if (code == Code::G52 || i > kZ || is_known(i) || state_.plane_frame) continue;
-                state_.zero_92[i] = offset[i];
-                state_.is_zero_by_hand[i] = true;
+                if (code == Code::G52 || i > kZ || is_known(i) || state_.frames.tilt) continue;
+                state_.frames.zero_92[i] = offset[i];
+                state_.frames.is_zero_by_hand[i] = true;
                 path_.record_offset(state_.system);
                 mark_known(i);
             }
@@ -232,8 +233,8 @@ bool Machine::offset_92(const Command& command, Code code) {
         case Code::G92_1: control_.store.change().stored_92 = {}; [[fallthrough]];
         case Code::G92_2:
             offset = {};
-            state_.zero_92 = {};
-            state_.is_zero_by_hand = {};
+            state_.frames.zero_92 = {};
+            state_.frames.is_zero_by_hand = {};
             state_.offset_92_active = false;
             break;
         case Code::G92_3:
@@ -242,7 +243,7 @@ bool Machine::offset_92(const Command& command, Code code) {
             break;
         default: return true;
     }
-    state_.offset_92 = offset;
+    state_.frames.offset_92 = offset;
     recompute_position(machine);
     return true;
 }
@@ -291,15 +292,16 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
     if (command.has('R') && from_position && rules_.strict)
         return fail(Message::WordUnused, span_of(command, 'R'), {"R"});
     if (command.has('R') && !from_position) {
-        const bool has_g92 = state_.offset_92[kX] != 0.0 || state_.offset_92[kY] != 0.0;
+        const bool has_g92 =
+            state_.frames.offset_92[kX] != 0.0 || state_.frames.offset_92[kY] != 0.0;
         if (rules_.is_linuxcnc() && index == state_.system && has_g92 &&
             offset.rotation != command['R'])
             warn(Message::RotationUnderG92, span_of(command, 'R'));
         offset.rotation = command['R'];
     }
     // L20: the present position gets the coordinates of the block.
-    double x = machine[kX] - state_.tool_offset[kX] - offset.origin[kX] / unit;
-    double y = machine[kY] - state_.tool_offset[kY] - offset.origin[kY] / unit;
+    double x = machine[kX] - state_.frames.tool_offset[kX] - offset.origin[kX] / unit;
+    double y = machine[kY] - state_.frames.tool_offset[kY] - offset.origin[kY] / unit;
     rotate(x, y, -offset.rotation);
     double wanted_x = x;
     double wanted_y = y;
@@ -313,18 +315,19 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
             offset.origin[i] = before + mm_of(value, i, unit);
             if (i <= kZ && (!state_.incremental || rules_.is_linuxcnc())) offset.frame[i] = 0;
         } else if (i == kX) {
-            wanted_x = value + state_.offset_92[kX];
+            wanted_x = value + state_.frames.offset_92[kX];
         } else if (i == kY) {
-            wanted_y = value + state_.offset_92[kY];
+            wanted_y = value + state_.frames.offset_92[kY];
         } else {
-            offset.origin[i] =
-                mm_of(machine[i] - state_.tool_offset[i] - state_.offset_92[i] - value, i, unit);
+            offset.origin[i] = mm_of(
+                machine[i] - state_.frames.tool_offset[i] - state_.frames.offset_92[i] - value, i,
+                unit);
         }
     }
     if (from_position && command.has_any(letters('X', 'Y'))) {
         rotate(wanted_x, wanted_y, offset.rotation);
-        offset.origin[kX] = unit * (machine[kX] - state_.tool_offset[kX] - wanted_x);
-        offset.origin[kY] = unit * (machine[kY] - state_.tool_offset[kY] - wanted_y);
+        offset.origin[kX] = unit * (machine[kX] - state_.frames.tool_offset[kX] - wanted_x);
+        offset.origin[kY] = unit * (machine[kY] - state_.frames.tool_offset[kY] - wanted_y);
     }
     for (std::size_t i = kX; from_position && i <= kZ; ++i) {
         if (!command.has(kAxisNames[i])) continue;
@@ -448,7 +451,7 @@ bool Machine::set_tool_data(const Command& command, int index) {
     const long l = std::lround(command['L']);
     const double unit = state_.unit_mm();
     const Axes machine = machine_position();
-    Axes zero = state_.work_offset;
+    Axes zero = state_.frames.work_offset;
     if (l == 11 && control_.store->work_offsets[8].origin != Axes{})
         zero = from_mm(control_.store->work_offsets[8].origin, unit);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -456,7 +459,8 @@ bool Machine::set_tool_data(const Command& command, int index) {
         const double value = command[kAxisNames[i]];
         // L10 and L11: with the new offset the present position has the coordinates of the block.
         const double offset =
-            l == 1 ? value : machine[i] - zero[i] - value - (l == 10 ? state_.offset_92[i] : 0.0);
+            l == 1 ? value
+                   : machine[i] - zero[i] - value - (l == 10 ? state_.frames.offset_92[i] : 0.0);
         entry->offset[i] = Length::from_mm(unit * offset);
     }
     entry->length_specified |= command.has('Z');
@@ -516,14 +520,14 @@ bool Machine::set_tool_length(const Command& command) {
     state_.length_specified = code == Code::G43_1;
     Axes offset{};
     if (code == Code::G43_1) {
-        offset = state_.tool_offset;  // Axes without a word keep the offset.
+        offset = state_.frames.tool_offset;  // Axes without a word keep the offset.
         for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
             if (command.has(kAxisNames[i])) offset[i] = command[kAxisNames[i]];
         }
     } else if (code != Code::G49) {
         const int h = length_number(command);
         if (code == Code::G43_2) {
-            offset = state_.tool_offset;
+            offset = state_.frames.tool_offset;
         } else {
             state_.length_register = code == Code::G44 && h != 0 ? kNegatedLength : h;
             state_.length_specified = specified_length(h).has_value();
@@ -536,9 +540,9 @@ bool Machine::set_tool_length(const Command& command) {
         }
     }
     uses_length_offsets_ |= state_.length_register != kNoLength;
-    if (offset == state_.tool_offset) return true;
+    if (offset == state_.frames.tool_offset) return true;
     const Axes machine = machine_position();
-    state_.tool_offset = offset;
+    state_.frames.tool_offset = offset;
     recompute_position(machine);
     ++state_.length_changes;
     return true;
@@ -652,7 +656,7 @@ void Machine::begin_compensation_at(CutterSide side, double radius, const Axes& 
 // --- G68, G51, G16 ---
 
 bool Machine::set_programmed(const Command& command) {
-    ProgrammedTransform& t = state_.programmed;
+    ProgrammedTransform& t = state_.frames.programmed;
     if (const Code code = command.group(Group::Polar); code != Code::None)
         t.polar = code == Code::G16;
     const Code rotation = command.group(Group::Rotation);

@@ -43,7 +43,7 @@ bool Machine::polar_interpolation(const Command& command) {
     const Axes at = machine_position();
     if (at[kA] != 0.0 || at[kB] != 0.0)
         return stop_with(Message::PlaneForm, span, {name_of(code), "A and B at 0"});
-    if (state_.plane_frame || state_.coordinates == Coordinates::Tip)
+    if (state_.frames.tilt || state_.coordinates == Coordinates::Tip)
         return stop_with(Message::PlaneForbids, span, {name_of(code)});
     if (state_.cutter_side != CutterSide::Off)
         return stop_with(Message::ForbiddenWithCompensation, span, {name_of(code)});

@@ -25,7 +25,7 @@ PlaneDialect dialect_of(Code code, const Rules& rules) {
 Axes Machine::axis_positions() const {
     Axes at = machine_position();
     for (std::size_t i = 0; i < at.size(); ++i) {
-        at[i] -= state_.tool_offset[i];
+        at[i] -= state_.frames.tool_offset[i];
         if (!is_rotary(i)) at[i] *= state_.unit_mm();
     }
     return at;
@@ -36,13 +36,13 @@ Axes Machine::from_axis_positions(const Axes& axis_positions) const {
     Axes at = axis_positions;
     for (std::size_t i = 0; i < at.size(); ++i) {
         if (!is_rotary(i)) at[i] /= state_.unit_mm();
-        at[i] += state_.tool_offset[i];
+        at[i] += state_.frames.tool_offset[i];
     }
     return at;
 }
 
 double Machine::length_mm() const {
-    return state_.tool_offset[kZ] * state_.unit_mm();
+    return state_.frames.tool_offset[kZ] * state_.unit_mm();
 }
 
 /// Updates the knowledge of X, Y and Z after a rotation: each new coordinate depends on all three
@@ -68,9 +68,9 @@ void Machine::take_coordinates(Coordinates coordinates) {
     // Positions of the tip refer to the table at 0; so does the zero that moves with the table.
     const bool has_dynamic_offset = state_.table_offset != 0;
     if (has_dynamic_offset && coordinates == Coordinates::Tip)
-        state_.dynamic_offset = state_.dynamic_offset_home;
+        state_.frames.dynamic_offset = state_.frames.dynamic_offset_home;
     if (has_dynamic_offset && coordinates != Coordinates::Tip)
-        state_.dynamic_offset = dynamic_offset_at(at);
+        state_.frames.dynamic_offset = dynamic_offset_at(at);
     if (coordinates == Coordinates::Tip) {
         const JointSolver::TipPose found = options_.joints->tip_pose(at, length_mm());
         std::ranges::copy(found.tip, at.begin());
@@ -87,23 +87,16 @@ void Machine::take_coordinates(Coordinates coordinates) {
 
 void Machine::choose(Coordinates coordinates) {
     state_.chosen = coordinates;
-    take_coordinates(state_.plane_frame ? Coordinates::Tip : coordinates);
+    take_coordinates(state_.frames.tilt ? Coordinates::Tip : coordinates);
 }
 
 /// Sets the tilted plane. The machine position stays; the program coordinates change.
 void Machine::set_plane_frame(const std::optional<FeatureFrame>& frame) {
-    if (frame == state_.plane_frame) return;
+    if (frame == state_.frames.tilt) return;
     const auto is_turned_plane = [](const auto& f) { return f && f->is_turned(); };
-    const bool mixes = is_turned_plane(frame) || is_turned_plane(state_.plane_frame);
+    const bool mixes = is_turned_plane(frame) || is_turned_plane(state_.frames.tilt);
     const Axes machine = machine_position();
-    // G92 and G52 set before the plane shift the whole plane; G92 and G52 in the plane end with the
-    // plane.
-    if (frame && !state_.plane_frame)
-        std::copy_n(state_.offset_92.begin(), 3, state_.outer_92.begin());
-    const std::array<double, 3> shift = frame ? std::array<double, 3>{} : state_.outer_92;
-    std::ranges::copy(shift, state_.offset_92.begin());
-    if (!frame) state_.outer_92 = {};
-    state_.plane_frame = frame;
+    state_.frames.set_tilt(frame);
     recompute_position(machine);
     state_.cycle = {};
     if (mixes) update_knowledge();
@@ -111,7 +104,7 @@ void Machine::set_plane_frame(const std::optional<FeatureFrame>& frame) {
 
 /// Makes X, Y and Z positions of the joints until resume().
 Machine::SavedCoordinates Machine::as_joints() {
-    const SavedCoordinates before{state_.plane_frame, state_.coordinates, state_.offset_92};
+    const SavedCoordinates before{state_.frames.tilt, state_.coordinates, state_.frames.offset_92};
     set_plane_frame(std::nullopt);
     take_coordinates(Coordinates::Axes);
     return before;
@@ -121,14 +114,14 @@ void Machine::resume(const SavedCoordinates& before) {
     take_coordinates(before.coordinates);
     set_plane_frame(before.frame);
     const Axes machine = machine_position();
-    state_.offset_92 = before.offset_92;
+    state_.frames.offset_92 = before.offset_92;
     recompute_position(machine);
 }
 
 /// True if positions of the joints differ from positions of the tip.
 bool Machine::hides_joints() const {
     return options_.joints && state_.coordinates == Coordinates::Tip &&
-           (is_turned() || state_.plane_frame);
+           (is_turned() || state_.frames.tilt);
 }
 
 /// Makes a move with rotary words in a tilted plane: all axes move linearly to the joint positions
@@ -170,7 +163,7 @@ bool Machine::stop_with(const MessageText& message, SourceSpan span,
 
 /// Reports codes that would move incorrectly in a tilted plane.
 bool Machine::check_plane(const Command& command) {
-    if (!state_.plane_frame) return true;
+    if (!state_.frames.tilt) return true;
     const Code one_shot = command.group(Group::OneShot);
     std::string_view what;
     if (const Code code = command.group(Group::WorkOffset);
@@ -216,7 +209,7 @@ bool Machine::set_plane(const Command& command) {
         if (!read.frame) return true;  // Further blocks of the definition follow.
         frame = read.frame;
         if (code == Code::G68_4) {
-            const auto& base = waits && specified ? specified : state_.plane_frame;
+            const auto& base = waits && specified ? specified : state_.frames.tilt;
             if (!base) return stop_with(Message::NoPlane, span, {name_of(code)});
             frame = *base * *frame;
         }
@@ -239,14 +232,14 @@ std::optional<FeatureFrame> Machine::plane_of_tool(const Command& command, Plane
         stop_with(Message::PlaneForm, span, {"G68.3", "X, Y and Z, or none of them"});
         return std::nullopt;
     }
-    if (state_.plane_frame) {
+    if (state_.frames.tilt) {
         stop_with(Message::PlaneForbids, span, {"G68.3"});
         return std::nullopt;
     }
     take_coordinates(Coordinates::Tip);
     if (is_turned()) requested_tip_positions_ = true;
     Triple axis = options_.joints->tip_pose(axis_positions(), length_mm()).axis;
-    axis = turn_about(2, -state_.rotation).direction_to_parent(axis);
+    axis = turn_about(2, -state_.frames.rotation).direction_to_parent(axis);
     FeatureFrame frame = plane_across(axis, command.get('R', 0.0));
     const bool here = has_none && dialect == PlaneDialect::Fanuc;
     for (std::size_t i = 0; i < 3; ++i)
@@ -260,7 +253,7 @@ void Machine::end_plane() {
         store.specified_plane.reset();
         store.plane_parts = {};
     }
-    if (!state_.plane_frame) return;
+    if (!state_.frames.tilt) return;
     set_plane_frame(std::nullopt);
     take_coordinates(state_.chosen);
 }
@@ -271,8 +264,8 @@ void Machine::end_plane() {
 /// nullopt after reporting an error.
 std::optional<Axes> Machine::joints_for_direction(const Triple& axis, JointSolver::Way way,
                                                   Code code, SourceSpan span) {
-    Triple d = state_.plane_frame ? state_.plane_frame->direction_to_parent(axis) : axis;
-    d = turn_about(2, state_.rotation).direction_to_parent(d);
+    Triple d = state_.frames.tilt ? state_.frames.tilt->direction_to_parent(axis) : axis;
+    d = turn_about(2, state_.frames.rotation).direction_to_parent(d);
     const JointSolver::Solution turned =
         options_.joints->joints_for_direction(d, axis_positions(), way);
     if (!turned.joints) {
@@ -289,7 +282,7 @@ bool Machine::orient(const Command& command) {
     const SourceSpan span = span_of_g(command, code);
     if (!options_.joints || !options_.joints->turns())
         return stop_with(Message::RotaryUnspecified, span, {name_of(code)});
-    if (!state_.plane_frame && !control_.store->specified_plane)
+    if (!state_.frames.tilt && !control_.store->specified_plane)
         return stop_with(Message::NoPlane, span, {name_of(code)});
     const bool linuxcnc = rules_.linuxcnc_planes;
     JointSolver::Way way = JointSolver::Way::Specified;
@@ -351,10 +344,10 @@ bool Machine::tilt(const FeatureFrame& frame, std::string_view name, SourceSpan 
 std::optional<Axes> Machine::axes_of_tilt(LeadingAxis leading, std::string_view name,
                                           SourceSpan span) {
     constexpr double kZero = 1e-6;  // Degrees
-    if (!state_.plane_frame || !options_.joints) return state_.position;
+    if (!state_.frames.tilt || !options_.joints) return state_.position;
     const Triple axis =
-        turn_about(2, state_.rotation)
-            .direction_to_parent(state_.plane_frame->direction_to_parent({0, 0, 1}));
+        turn_about(2, state_.frames.rotation)
+            .direction_to_parent(state_.frames.tilt->direction_to_parent({0, 0, 1}));
     std::string why_not = "no position has the sign that SEQ asks for";
     const bool compares = leading == LeadingAxis::Least || leading == LeadingAxis::Greatest;
     std::optional<Axes> best;

@@ -73,7 +73,7 @@ bool Machine::arc(const Command& command, bool clockwise) {
     AxisMask mask = 0;
     if (!find_ends(command, out.end, mask)) return false;
     bool turns_clockwise = clockwise;
-    const ProgrammedTransform& t = state_.programmed;
+    const ProgrammedTransform& t = state_.frames.programmed;
     if (t.scaled && t.scale[axes.first % 3] * t.scale[axes.second % 3] < 0.0) {
         turns_clockwise = !turns_clockwise;  // Mirrored.
     }
@@ -168,7 +168,8 @@ bool Machine::arc_by_radius(const Command& command, bool clockwise, ProgramArc& 
     const double dy = arc.end[axes.second] - y0;
     const double chord = hypotenuse(dx, dy);
     double r = command['R'];
-    if (state_.programmed.scaled) r *= std::abs(state_.programmed.scale[axes.first % 3]);
+    if (state_.frames.programmed.scaled)
+        r *= std::abs(state_.frames.programmed.scale[axes.first % 3]);
     if (chord * state_.unit_mm() < 1e-9) {
         return fail(Message::ArcRadiusNoChord, span_of(command, 'R'));
     }
@@ -218,7 +219,7 @@ bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& 
     const double x1 = arc.end[axes.first];
     const double y1 = arc.end[axes.second];
     const Axes start = to_programmed(state_.position);
-    const bool transformed = state_.programmed.rotated || state_.programmed.scaled;
+    const bool transformed = state_.frames.programmed.changes_places();
 
     const auto centre = [&](bool absolute) {
         double cx = command.get(c1, absolute ? start[axes.first] : 0.0);

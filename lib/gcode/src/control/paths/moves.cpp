@@ -148,8 +148,8 @@ bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
     }
     constexpr std::string_view kLetters = "XYZABCUVW";
     constexpr std::uint32_t kPolarLetters = letters('@', '^');
-    const bool polar = state_.programmed.polar || command.has_any(kPolarLetters);
-    const bool transformed = state_.programmed.rotated || state_.programmed.scaled;
+    const bool polar = state_.frames.programmed.polar || command.has_any(kPolarLetters);
+    const bool transformed = state_.frames.programmed.changes_places();
     const bool incremental = state_.incremental && !machine;
     Axes at = machine ? machine_position() : state_.position;
     if (transformed && !machine) at = to_programmed(at);
@@ -273,7 +273,7 @@ bool Machine::linear_move_as_specified(const Command& command, MoveKind kind) {
         return linear_move_on_cylinder(end, kind, mask);
     }
     const bool by_joints =
-        state_.plane_frame && state_.chosen == Coordinates::Axes && (mask & kRotaryAxes) != 0;
+        state_.frames.tilt && state_.chosen == Coordinates::Axes && (mask & kRotaryAxes) != 0;
     if (by_joints && !machine) {
         if (compensation_.is_on())
             return fail(Message::ForbiddenWithCompensation, command.span, {"a rotary axis"});
