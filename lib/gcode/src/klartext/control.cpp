@@ -32,7 +32,7 @@ std::string_view verb_of(const Block& block) {
 
 }  // namespace
 
-Control::Control(const InterpreterOptions& options, Machine& machine, Parameters& parameters,
+Control::Control(const InterpreterOptions& options, Controller& machine, Parameters& parameters,
                  DiagnosticLog& log)
     : BlockControl(options, machine, log), parameters_(parameters) {}
 
@@ -257,7 +257,7 @@ void Control::begin_contour(const Control& caller) {
     set_units(caller.inches_);
     plane_ = caller.plane_;
     Command command = make({});
-    put(command, plane_ == Plane::XY ? Code::G17 : plane_ == Plane::ZX ? Code::G18 : Code::G19);
+    put(command, code_of(plane_));
     (void)machine_.execute(command);
     // The feed of the cycle counts.
     machine_.state().feed = 1.0;

@@ -22,7 +22,6 @@ std::size_t axis_of(std::string_view name) {
 /// set-up.
 bool Control::preset(const Block& block, double number) {
     constexpr double kMost = 290.0;
-    constexpr int kSpecified = 9;
     constexpr double kPresetZero = 300.0;  // Number of the system that stands for preset 0.
     if (!(number >= 0.0 && number <= kMost) || number != std::floor(number)) {
         return fail(Message::KlartextPresetNumber, block.whole(),
@@ -30,11 +29,9 @@ bool Control::preset(const Block& block, double number) {
     }
     if (!end_compensation(block.whole())) return false;
     has_preset_ = true;
-    constexpr std::array kSystems{Code::G54, Code::G55,   Code::G56,   Code::G57,  Code::G58,
-                                  Code::G59, Code::G59_1, Code::G59_2, Code::G59_3};
     Command command = make(block.whole());
-    if (number >= 1.0 && number <= kSpecified) {
-        put(command, kSystems[static_cast<std::size_t>(number) - 1]);
+    if (number >= 1.0 && number <= kExtended) {
+        put(command, kSystemCodes[static_cast<std::size_t>(number) - 1]);
     } else {
         put(command, Code::G54_1);
         put(command, 'P', number == 0.0 ? kPresetZero : number);
@@ -229,8 +226,7 @@ bool Control::working_plane(const Block& block, Scanner& scan) {
     const FeatureFrame frame =
         turn_about(2, angle[2]) * turn_about(1, angle[1]) * turn_about(0, angle[0]);
     if (!tilt(frame, "CYCL DEF 19", block.whole())) return false;
-    const auto axes =
-        machine_.axes_of_tilt(Machine::LeadingAxis::Preferred, "CYCL DEF 19", block.whole());
+    const auto axes = machine_.axes_of_tilt(LeadingAxis::Preferred, "CYCL DEF 19", block.whole());
     if (!axes) return false;
     for (std::size_t i = 0; i < 3; ++i)
         parameters_.set_system(static_cast<std::uint32_t>(120 + i),
@@ -246,7 +242,7 @@ struct PlaneWords {
     std::array<double, 3> base{}, normal{};
     bool has_base = false, has_normal = false;
     enum class Way : std::uint8_t { None, Stay, Turn, Move } way = Way::None;
-    Machine::LeadingAxis leading = Machine::LeadingAxis::Preferred;
+    LeadingAxis leading = LeadingAxis::Preferred;
     bool is_rapid = false;
     std::optional<double> feed;
     bool turns_table = true;
@@ -286,8 +282,7 @@ bool Control::plane(const Block& block) {
             const char sign = scan.peek();
             if (sign != '+' && sign != '-') return refuse();
             scan.move_to(scan.at() + 1);
-            words.leading =
-                sign == '+' ? Machine::LeadingAxis::Positive : Machine::LeadingAxis::Negative;
+            words.leading = sign == '+' ? LeadingAxis::Positive : LeadingAxis::Negative;
             continue;
         }
         if (word == "FMAX" || (word == "F" && scan.take_word("MAX"))) {

@@ -89,10 +89,10 @@ bool Control::apply_frame(std::string_view name, SourceSpan span) {
     programmed.scaled = false;
     Command command = make(span);
     put(command, Code::G52);
-    for (std::size_t i = 0; i < language::kAxisNames.size(); ++i) {
+    for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
         const double shift = i > kZ ? all.shift[i] : is_flat ? all.rigid.origin[i] : 0.0;
         if (i <= kZ || shift != machine_.state().frames.offset_92[i])
-            put(command, language::kAxisNames[i], shift);
+            put(command, kAxisNames[i], shift);
     }
     command.axis_words = true;
     if (!run(command)) return false;
@@ -150,8 +150,7 @@ bool Control::swivel(const CycleCall& call) {
     Axes axes = machine_.state().position;
     if (is_tilted) {
         const auto found = machine_.axes_of_tilt(
-            direction < 0.0 ? Machine::LeadingAxis::Least : Machine::LeadingAxis::Greatest,
-            "CYCLE800", span);
+            direction < 0.0 ? LeadingAxis::Least : LeadingAxis::Greatest, "CYCLE800", span);
         if (!found) return false;
         axes = *found;
     } else {

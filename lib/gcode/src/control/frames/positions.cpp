@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Transforms positions between the levels of a control.
-#include "ncsim/gcode/frame_stack.h"
-
 #include "ncsim/base/angles.h"
+#include "ncsim/gcode/frame_stack.h"
 
 #include "control/paths/path.h"
 

@@ -5,6 +5,8 @@
 
 #include "ncsim/base/angles.h"
 
+#include "control/store.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -62,7 +64,6 @@ WorkOffset zero_of(const Axes& work_offset, const Axes& zero_92, double rotation
 }
 
 std::string name_of_system(int system) {
-    constexpr int kExtended = 9;
     std::string name = system > kExtended ? "G54.1 P" : system > 6 ? "G59." : "G";
     const int number = system > kExtended ? system - kExtended
                        : system > 6       ? system - 6
@@ -226,17 +227,16 @@ void Path::shift_unspecified(std::size_t axis, double distance_mm) {
 void Path::compare_offset(const ProgramFrame& frame, const OriginFrame& origin_frame,
                           const std::array<bool, 3>& is_zero_by_hand) {
     constexpr double kSame = 1e-3;  // mm
-    constexpr int kNamed = 9;
     const int system = frame.system;
     const double unit = frame.inches ? 25.4 : 1.0;
     if (!compared_.insert(system).second) return;
     const auto written_at = offset_places_.find(system);
     if (written_at == offset_places_.end()) return;
     const Position* specified = nullptr;
-    if (system <= kNamed) {
+    if (system <= kExtended) {
         const auto index = static_cast<std::size_t>(system - 1);
         if (options_.work_offsets_specified[index]) specified = &options_.work_offsets[index];
-    } else if (const auto found = options_.extended_offsets.find(system - kNamed);
+    } else if (const auto found = options_.extended_offsets.find(system - kExtended);
                found != options_.extended_offsets.end()) {
         specified = &found->second;
     }
