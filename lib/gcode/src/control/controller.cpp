@@ -5,6 +5,7 @@
 
 #include "control/block_steps.h"
 #include "control/cycles/cycle_steps.h"
+#include "control/paths/path_steps.h"
 
 #include <cmath>
 #include <string>

@@ -4,6 +4,7 @@
 // recorded: a line from the starting hole to the outline, then once around the outline.
 #include "ncsim/base/angles.h"
 
+#include "control/block_steps.h"
 #include "control/cycles/area.h"
 #include "control/cycles/cycle_steps.h"
 #include "control/frames/frame_steps.h"
