@@ -45,7 +45,7 @@ Hulls hulls_of(const std::string& name, std::size_t most) {
     hulls.lattice = cda::Lattice::for_stock(hulls.stock);
     toolpath::ToolAccuracy accuracy;
     accuracy.tolerance_mm = plan.tool_tolerance;
-    toolpath::Walk walk(hulls.lattice, hulls.stock, accuracy, {});
+    toolpath::Walk walk(hulls.lattice, hulls.stock, {accuracy});
     for (const auto& [number, used] : survey.tools)
         walk.add_tool(number, used.tool);
     gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {

@@ -114,8 +114,8 @@ Cutting cut_alone(const simulation::Plan& plan, const simulation::Survey& survey
     part = cda::create(prototype, stock);
     toolpath::ToolAccuracy accuracy;
     accuracy.tolerance_mm = plan.tool_tolerance;
-    toolpath::Walk walk(stock.lattice, survey.stock->box, accuracy, {});
-    if (part->supports_sweeps()) walk.prefer_sweeps();
+    toolpath::Walk walk(stock.lattice, survey.stock->box,
+                        {.accuracy = accuracy, .prefers_sweeps = part->supports_sweeps()});
     for (const auto& [number, used] : survey.tools)
         walk.add_tool(number, used.tool);
     Cutting cutting;
@@ -161,7 +161,7 @@ void print_nef_row(const Program& program, double exact_volume) {
     const cda::Lattice lattice = cda::Lattice::for_stock(box);
     toolpath::ToolAccuracy accuracy;
     accuracy.tolerance_mm = plan.tool_tolerance;
-    toolpath::Walk walk(lattice, box, accuracy, {});
+    toolpath::Walk walk(lattice, box, {accuracy});
     for (const auto& [number, used] : survey.tools)
         walk.add_tool(number, used.tool);
     test::NefPart part(cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice));

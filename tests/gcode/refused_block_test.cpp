@@ -5,7 +5,7 @@
 #include "ncsim/gcode/parser.h"
 
 #include "control/codes.h"
-#include "control/machine.h"
+#include "control/controller.h"
 #include "program/block_resolver.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ public:
         return true;
     }
 
-    Machine& machine() { return machine_; }
+    Controller& machine() { return machine_; }
     std::uint64_t motions() const { return path_.count(); }
 
 private:
@@ -68,7 +68,7 @@ private:
     Interpretation result_;
     Path path_;
     Parameters parameters_;
-    Machine machine_;
+    Controller machine_;
     Resolver resolver_;
 };
 

@@ -149,7 +149,7 @@ std::string disagreement_of_program(const std::string& path, std::size_t most) {
     const Box box = survey.stock->box;
     toolpath::ToolAccuracy accuracy;
     accuracy.tolerance_mm = plan.tool_tolerance;
-    toolpath::Walk walk(kLattice, box, accuracy, {});
+    toolpath::Walk walk(kLattice, box, {accuracy});
     for (const auto& [number, used] : survey.tools)
         walk.add_tool(number, used.tool);
     std::vector<cda::Cell> cells;

@@ -264,7 +264,7 @@ MilledPart mill(const NcProgram& program, const cda::WorkpieceModel& prototype) 
     sampling.chord_tolerance_mm = program.tolerance_mm;
     sampling.rotation_miss_mm = program.tolerance_mm;
     sampling.rotation_gain_mm = 10 * program.tolerance_mm;
-    toolpath::Walk walk(shape.lattice, stock->box, {program.tool_tolerance_mm}, sampling);
+    toolpath::Walk walk(shape.lattice, stock->box, {{program.tool_tolerance_mm}, sampling});
     for (const std::string& text : program.tools) {
         const auto spec = toolpath::parse_tool_option(text, message);
         if (!spec) throw std::runtime_error(message);

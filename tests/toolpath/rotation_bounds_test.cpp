@@ -463,7 +463,7 @@ TEST(Walk, TakesStepsThatAreSmallEnoughForShanksWhereTheyAreWatched) {
     motion.known_start = motion.known_end = {true, true, true};
     const Box stock{{-50, -50, -50}, {50, 50, 50}};
     const auto worst_of_shank = [&](bool shanks) {
-        Walk walk(cda::Lattice::for_stock(stock), stock, {}, {}, {}, {{}, shanks});
+        Walk walk(cda::Lattice::for_stock(stock), stock, {.watch = {{}, shanks}});
         walk.add_tool(1, tool);
         double worst = 0.0;
         walk.take(motion, {}, [&](const Step& step) {
@@ -484,7 +484,7 @@ TEST(Walk, LeavesFacetsWhatStepsDoNotGain) {
     const Box stock{{-20, -20, -20}, {20, 20, 0}};
     const double most = SamplingOptions{}.rotation_gain_mm;
     const auto turned = [&](double degrees) {
-        Walk walk(cda::Lattice::for_stock(stock), stock, {}, {});
+        Walk walk(cda::Lattice::for_stock(stock), stock, {});
         walk.add_tool(1, tool);
         gcode::Motion motion;
         motion.action =

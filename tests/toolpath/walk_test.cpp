@@ -59,7 +59,7 @@ struct Walked {
 // no volume when subtracted last.
 Walked walked(const std::vector<gcode::Motion>& motions, const Tool& tool) {
     const auto lattice = cda::Lattice::for_stock(kStock);
-    Walk walk(lattice, kStock, {}, {});
+    Walk walk(lattice, kStock, {});
     walk.add_tool(1, tool);
     const auto unit = [&](double mm) { return std::llround(mm / lattice.unit_mm); };
     cda::TreeCda part(
@@ -224,7 +224,7 @@ TEST(Walk, NamesAStraightWayByTheLastMoveThatMeetsTheStock) {
     motions = and_away(motions);
     const auto lattice = cda::Lattice::for_stock(kStock);
     for (const bool is_tile : {false, true}) {
-        Walk walk(lattice, kStock, {}, {});
+        Walk walk(lattice, kStock, {});
         walk.add_tool(1, kFlat);
         if (is_tile) walk.restrict_cells(Box{{19, -20, -20}, {20, 20, 0}});
         std::vector<cda::Cell> merged_cells;

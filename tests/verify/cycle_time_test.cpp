@@ -183,7 +183,7 @@ TEST(Ledger, SlotOfAFlatEndMillIsWithinTheChordBound) {
     setup.ledger = true;
     setup.accuracy.tolerance_mm = 0.001;
     setup.tools[1].tool = toolpath::flat_end_mill(6.0, 20.0);
-    toolpath::Walk walk(lattice, block, setup.accuracy, {});
+    toolpath::Walk walk(lattice, block, {setup.accuracy});
     const double error = walk.add_tool(1, setup.tools[1].tool).error_mm();
     verify::Verifier verifier(setup, block, lattice);
     const gcode::SourceFile program{

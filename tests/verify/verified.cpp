@@ -55,8 +55,11 @@ verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
     setup.suppressions = verify::Suppressions(source);
     cda::TreeCda part(cda::box_cell(lattice.round(kBlock.min), lattice.round(kBlock.max), lattice),
                       lattice);
-    toolpath::Walk walk(lattice, kBlock, setup.accuracy, {}, setup.rapid,
-                        verify::watched_parts(setup), setup.kinematics);
+    toolpath::Walk walk(lattice, kBlock,
+                        {.accuracy = setup.accuracy,
+                         .rapid = setup.rapid,
+                         .watch = verify::watched_parts(setup),
+                         .specified = setup.kinematics});
     for (const auto& [number, facts] : setup.tools)
         walk.add_tool(number, facts.tool);
     const double stock_mm3 = part.volume();

@@ -3,7 +3,6 @@
 // Explains a block as text and JSON.
 #include "ncsim/report/explanation.h"
 
-#include "ncsim/gcode/positions.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/length_unit.h"
 #include "ncsim/report/machining_time.h"
@@ -28,15 +27,12 @@ namespace {
 constexpr std::string_view kLetters = "XYZABCUVW";
 
 bool is_known(const gcode::MachineState& s, std::size_t axis) {
-    const auto at = [axis](const gcode::KnownAxes& axes) {
-        return axis == gcode::kX ? axes.x : axis == gcode::kY ? axes.y : axes.z;
-    };
-    return axis > gcode::kZ || (at(s.known) && !at(s.of_machine) && !at(s.relative));
+    return axis > gcode::kZ || (s.known[axis] && !s.of_machine[axis] && !s.relative[axis]);
 }
 
 // "X1 Y? Z-2 A90": X, Y and Z, and further axes that are not 0 before or after the block.
 std::string position_text(const Explanation& e, const gcode::MachineState& s) {
-    const gcode::Axes position = gcode::to_programmed(s.programmed, s.position);
+    const gcode::Axes position = s.programmed_position();
     std::string text;
     for (std::size_t i = 0; i < position.size(); ++i) {
         if (i > gcode::kZ && e.before.position[i] == 0.0 && e.after.position[i] == 0.0) continue;
@@ -96,7 +92,7 @@ void add_motions(std::string& text, const Explanation& e, LengthUnit unit) {
 }
 
 Json position_json(const gcode::MachineState& s) {
-    const gcode::Axes position = gcode::to_programmed(s.programmed, s.position);
+    const gcode::Axes position = s.programmed_position();
     Json json = Json::object();
     for (std::size_t i = 0; i < position.size(); ++i) {
         const std::string name(1, static_cast<char>(kLetters[i] + ('a' - 'A')));

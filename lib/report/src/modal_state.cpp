@@ -116,7 +116,7 @@ std::string tool_text(const MachineState& s) {
 }
 
 std::string length_text(const MachineState& s) {
-    const auto& offset = s.tool_offset;
+    const auto& offset = s.frames.tool_offset;
     switch (s.length_register) {
         case gcode::kNoLength: return "none";
         case gcode::kStatedLength: return axes_text(offset, true) + " from the program";
@@ -146,21 +146,22 @@ std::string system_text(const MachineState& s) {
     std::string text = system_name(s.system);
     const bool is_of_machine = std::ranges::all_of(s.frame, [](int f) { return f == 0; });
     if (is_of_machine) {
-        text += ", zero at " + axes_text(s.work_offset, true) + " in the machine";
+        text += ", zero at " + axes_text(s.frames.work_offset, true) + " in the machine";
     } else {
         text += ", place in the machine not specified";
     }
-    if (s.rotation != 0.0) text += ", turned by " + plain_number(s.rotation) + "° about Z";
+    if (s.frames.rotation != 0.0)
+        text += ", turned by " + plain_number(s.frames.rotation) + "° about Z";
     return text;
 }
 
 std::string shift_text(const MachineState& s) {
-    const std::string shift = axes_text(s.offset_92);
+    const std::string shift = axes_text(s.frames.offset_92);
     return shift.empty() ? "none" : shift;
 }
 
 std::string transform_text(const MachineState& s) {
-    const gcode::ProgrammedTransform& t = s.programmed;
+    const gcode::ProgrammedTransform& t = s.frames.programmed;
     std::string text;
     const auto add = [&text](const std::string& more) {
         text += (text.empty() ? "" : ", ") + more;
@@ -177,8 +178,8 @@ std::string transform_text(const MachineState& s) {
 }
 
 std::string tilted_text(const MachineState& s) {
-    if (!s.plane_frame) return "none";
-    const gcode::FeatureFrame& frame = *s.plane_frame;
+    if (!s.frames.tilt) return "none";
+    const gcode::FeatureFrame& frame = *s.frames.tilt;
     const gcode::Triple normal = frame.normal();
     return fmt::format("zero at X{} Y{} Z{}, tool along {}, {}, {}", plain_number(frame.origin[0]),
                        plain_number(frame.origin[1]), plain_number(frame.origin[2]),
@@ -265,17 +266,20 @@ ModeNumbers numbers_of(const MachineState& s) {
                              n(s.spindle_in_doubt), n(s.spindle_oriented)});
     set(ModeGroup::Coolant, {n(s.coolant.mist), n(s.coolant.flood)});
     set(ModeGroup::Tool, {n(s.tool), n(s.selected_tool)});
-    set(ModeGroup::Length, {n(s.length_register), n(s.length_specified), mm(s.tool_offset[0]),
-                            mm(s.tool_offset[1]), mm(s.tool_offset[2])});
+    set(ModeGroup::Length,
+        {n(s.length_register), n(s.length_specified), mm(s.frames.tool_offset[0]),
+         mm(s.frames.tool_offset[1]), mm(s.frames.tool_offset[2])});
     set(ModeGroup::Compensation,
         {n(s.cutter_side), n(s.cutter_side) == 0.0 ? 0.0 : mm(s.cutter_radius)});
-    set(ModeGroup::System, {n(s.system), s.rotation, n(s.frame[0]), n(s.frame[1]), n(s.frame[2]),
-                            mm(s.work_offset[0]), mm(s.work_offset[1]), mm(s.work_offset[2]),
-                            s.work_offset[3], s.work_offset[4], s.work_offset[5]});
+    set(ModeGroup::System,
+        {n(s.system), s.frames.rotation, n(s.frame[0]), n(s.frame[1]), n(s.frame[2]),
+         mm(s.frames.work_offset[0]), mm(s.frames.work_offset[1]), mm(s.frames.work_offset[2]),
+         s.frames.work_offset[3], s.frames.work_offset[4], s.frames.work_offset[5]});
     set(ModeGroup::Shift,
-        {mm(s.offset_92[0]), mm(s.offset_92[1]), mm(s.offset_92[2]), s.offset_92[3], s.offset_92[4],
-         s.offset_92[5], mm(s.offset_92[6]), mm(s.offset_92[7]), mm(s.offset_92[8])});
-    const gcode::ProgrammedTransform& t = s.programmed;
+        {mm(s.frames.offset_92[0]), mm(s.frames.offset_92[1]), mm(s.frames.offset_92[2]),
+         s.frames.offset_92[3], s.frames.offset_92[4], s.frames.offset_92[5],
+         mm(s.frames.offset_92[6]), mm(s.frames.offset_92[7]), mm(s.frames.offset_92[8])});
+    const gcode::ProgrammedTransform& t = s.frames.programmed;
     if (t.rotated || t.scaled) {
         set(ModeGroup::Transform,
             {n(t.rotated), n(t.scaled), t.rotated ? t.angle : 0.0, mm(t.centre_1), mm(t.centre_2),
@@ -286,8 +290,8 @@ ModeNumbers numbers_of(const MachineState& s) {
     transform[11] = n(t.polar);
     transform[12] = n(s.polar_interpolation.has_value());
     transform[13] = s.cylinder ? mm(s.cylinder->radius) : -1.0;
-    if (s.plane_frame) {
-        const gcode::FeatureFrame& f = *s.plane_frame;
+    if (s.frames.tilt) {
+        const gcode::FeatureFrame& f = *s.frames.tilt;
         set(ModeGroup::TiltedPlane,
             {1.0, mm(f.origin[0]), mm(f.origin[1]), mm(f.origin[2]), f.rows[0][0], f.rows[0][1],
              f.rows[0][2], f.rows[1][0], f.rows[1][1], f.rows[1][2], f.rows[2][0], f.rows[2][1],

@@ -4,7 +4,6 @@
 #include "ncsim/simulation/explain.h"
 
 #include "ncsim/gcode/interpreter.h"
-#include "ncsim/gcode/positions.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/value_source.h"
 #include "ncsim/simulation/simulate.h"
@@ -98,13 +97,13 @@ private:
 // Returns X, Y and Z in the machine, in active units. Under a tilted plane, tip control or
 // interpolation they are not known.
 std::optional<std::array<double, 3>> known_machine_position(const gcode::MachineState& s) {
-    const bool is_plain = !s.plane_frame && s.coordinates == gcode::Coordinates::Axes &&
+    const bool is_plain = !s.frames.tilt && s.coordinates == gcode::Coordinates::Axes &&
                           !s.polar_interpolation && !s.cylinder;
     const bool is_placed = std::ranges::all_of(s.frame, [](int frame) { return frame == 0; });
     const bool has_length = s.length_register == gcode::kNoLength || s.length_specified;
     const bool is_known = s.known.all() && !s.of_machine.any() && !s.relative.any();
     if (!is_plain || !is_placed || !has_length || !is_known) return std::nullopt;
-    const gcode::Axes p = gcode::machine_position(s);
+    const gcode::Axes p = s.machine_position();
     return std::array{p[gcode::kX], p[gcode::kY], p[gcode::kZ]};
 }
 

@@ -86,20 +86,19 @@ std::unique_ptr<cda::WorkpieceModel> prototype(const Plan& plan, std::uint64_t m
     return make_model(plan.model, parameters);
 }
 
-toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Lattice& lattice,
-                         const Verification& verification) {
-    toolpath::ToolAccuracy accuracy;
+toolpath::WalkOptions walk_options(const Plan& plan, const Survey& survey,
+                                   const Verification& verification, bool prefers_sweeps) {
     // Saved cells may be verified later, which needs a known side of the error.
-    accuracy.side = !plan.keep_removed_cells ? verification.side : toolpath::Side::Circumscribed;
-    accuracy.tolerance_mm = plan.tool_tolerance;
-    accuracy.turns = survey.turns_tools();
-    toolpath::SamplingOptions sampling;
-    sampling.chord_tolerance_mm = plan.tolerance;
-    sampling.rotation_miss_mm = plan.tolerance;
-    sampling.rotation_gain_mm = 10 * plan.tolerance;
-    return {lattice,    survey.stock->box,  accuracy,
-            sampling,   verification.rapid, verification.watch,
-            plan.placed};
+    const auto side = !plan.keep_removed_cells ? verification.side : toolpath::Side::Circumscribed;
+    return {.accuracy = {plan.tool_tolerance, side, survey.turns_tools()},
+            .sampling = {.chord_tolerance_mm = plan.tolerance,
+                         .rotation_miss_mm = plan.tolerance,
+                         .rotation_gain_mm = 10 * plan.tolerance},
+            .rapid = verification.rapid,
+            .watch = verification.watch,
+            .specified = plan.placed,
+            .prefers_sweeps = prefers_sweeps,
+            .merges_cells = !verification.own_lines};
 }
 
 [[noreturn]] void refuse_tiles() {
@@ -112,7 +111,8 @@ public:
     MaterialRemover(const Plan& plan, const Survey& survey, const Verification& verification,
                     Simulation& result)
         : result_(result),
-          walk_(make_walk(plan, survey, result.lattice, verification)),
+          walk_(result.lattice, survey.stock->box,
+                walk_options(plan, survey, verification, result.part->supports_sweeps())),
           verifier_(verification.verifier),
           most_cuts_(verification.most_cuts),
           only_motion_(verification.only_motion),
@@ -134,8 +134,6 @@ public:
           place_of_tile_(tile_ ? result.part->wanted() : std::nullopt),
           volume_(result.stock_volume),
           course_(plan.job.operations) {
-        if (result.part->supports_sweeps()) walk_.prefer_sweeps();
-        if (verification.own_lines) walk_.disable_merged_cells();
         for (const auto& [number, used] : survey.tools) {
             const toolpath::Cutter& cutter = walk_.add_tool(number, used.tool);
             result.cutters[number] = {cutter.sides(), cutter.error_mm()};

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A block with all values evaluated: the input of Machine.
+// A block with all values evaluated: the input of Controller.
 #pragma once
 
 #include "ncsim/gcode/block.h"
+#include "ncsim/gcode/motion.h"
 
 #include "control/codes.h"
 
@@ -11,11 +12,15 @@
 #include <array>
 #include <bit>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::gcode {
 
 constexpr int kNone = -1;  ///< No M code.
+
+/// Letters of Axes.
+inline constexpr std::string_view kAxisNames = "XYZABCUVW";
 
 /// Returns the index of `letter`: A … Z are 0 … 25, '@' is 26, '^' is 27.
 constexpr std::size_t letter_index(char letter) {
@@ -61,6 +66,37 @@ struct Command {
     }
     bool has_any(std::uint32_t letters) const { return (present & letters) != 0; }
 };
+
+/// Codes of the coordinate systems 1 … 9.
+inline constexpr std::array kSystemCodes{Code::G54, Code::G55,   Code::G56,   Code::G57,  Code::G58,
+                                         Code::G59, Code::G59_1, Code::G59_2, Code::G59_3};
+/// Returns the code that selects `plane`.
+constexpr Code code_of(Plane plane) {
+    constexpr std::array kPlanes{Code::G17,   Code::G18,   Code::G19,
+                                 Code::G17_1, Code::G18_1, Code::G19_1};
+    return kPlanes[static_cast<std::size_t>(plane)];
+}
+
+/// Returns a command without words.
+/// Requires: `block` outlives the command.
+inline Command empty_command(const Block& block, SourceSpan span) {
+    Command command{};
+    command.block = &block;
+    command.span = span;
+    command.g.fill(Code::None);
+    command.m.fill(kNone);
+    return command;
+}
+inline void put(Command& command, char letter, double value) {
+    command.present |= 1U << letter_index(letter);
+    command.value[letter_index(letter)] = value;
+}
+inline void put(Command& command, Code code) {
+    command.g[static_cast<std::size_t>(entry_of(code).group)] = code;
+}
+inline void put(Command& command, MGroup group, int m) {
+    command.m[static_cast<std::size_t>(group)] = static_cast<std::int16_t>(m);
+}
 
 template <typename... Letters>
 constexpr std::uint32_t letters(Letters... letter) {

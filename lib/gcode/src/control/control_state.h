@@ -10,6 +10,7 @@
 
 #include "ncsim/gcode/state.h"
 
+#include "control/command.h"
 #include "control/copy_on_write.h"
 #include "control/growing_list.h"
 #include "control/paths/compensation.h"
@@ -59,5 +60,11 @@ struct ControlState {
     double feed_word = 0.0;  ///< Number of the last F; a change of units does not convert it.
     bool operator==(const ControlState&) const = default;
 };
+
+/// Returns the motion mode in which `command` moves: its own, or the active mode.
+inline Code motion_of(const MachineState& state, const Command& command) {
+    const Code named = command.group(Group::Motion);
+    return named == Code::None ? state.motion : named;
+}
 
 }  // namespace ncsim::gcode

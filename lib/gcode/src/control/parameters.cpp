@@ -35,11 +35,6 @@ void Parameters::set_rules(const Rules& rules) {
     locals_.fill(empty());
 }
 
-bool Parameters::is_axis_known(std::size_t axis) const {
-    const KnownAxes& known = view.state->known;
-    return axis > kZ || (axis == kX ? known.x : axis == kY ? known.y : known.z);
-}
-
 std::string Parameters::take_unknown() const {
     std::string name;
     name.swap(unknown_);
@@ -102,14 +97,14 @@ std::optional<Parameters::MachineValue> Parameters::fanuc_variable(int number) c
     const auto axis = [&](int first) { return static_cast<std::size_t>(number - first); };
     for (const int first : {5001, 5041}) {
         if (is_in(number, first, 9))
-            return MachineValue{state.position[axis(first)], is_axis_known(axis(first))};
+            return MachineValue{state.position[axis(first)], state.is_known(axis(first))};
     }
     if (is_in(number, 5021, 9)) {
         const std::size_t a = axis(5021);
-        const bool is_known = is_axis_known(a) && state.frame[a > kZ ? std::size_t{kZ} : a] == 0;
+        const FrameStack& f = state.frames;
+        const bool is_known = state.is_known(a) && state.frame[a > kZ ? std::size_t{kZ} : a] == 0;
         return MachineValue{
-            state.position[a] + state.offset_92[a] + state.work_offset[a] + state.tool_offset[a],
-            is_known};
+            state.position[a] + f.offset_92[a] + f.work_offset[a] + f.tool_offset[a], is_known};
     }
     switch (number) {
         case 4001: return MachineValue{std::max(tenths_of(state.motion), 0) / 10.0};
@@ -128,7 +123,7 @@ std::optional<Parameters::MachineValue> Parameters::machine_value(int number) co
     const MachineState& state = *view.state;
     const auto axis = [&](int first) { return static_cast<std::size_t>(number - first); };
     if (is_in(number, 5420, 9))
-        return MachineValue{state.position[axis(5420)], is_axis_known(axis(5420))};
+        return MachineValue{state.position[axis(5420)], state.is_known(axis(5420))};
     // A probe always makes contact in the simulation.
     const bool has_probed = (*view.store)->has_probed;
     if (is_in(number, 5061, 9)) return MachineValue{(*view.store)->probed[axis(5061)], has_probed};
@@ -136,7 +131,7 @@ std::optional<Parameters::MachineValue> Parameters::machine_value(int number) co
     if (const std::optional<MachineValue> offset = offset_value(number)) return offset;
     if (number == 5400) return MachineValue{static_cast<double>(state.tool), state.tool != 0};
     if (is_in(number, 5401, 9)) {
-        return MachineValue{state.tool_offset[axis(5401)] * state.unit_mm(),
+        return MachineValue{state.frames.tool_offset[axis(5401)] * state.unit_mm(),
                             state.length_register == kNoLength || state.length_specified};
     }
     if (number == 5410) return MachineValue{2.0 * state.cutter_radius * state.unit_mm()};
@@ -213,15 +208,16 @@ std::optional<Parameters::MachineValue> Parameters::predefined(std::string_view 
     constexpr std::string_view kNames = "xyzabcuvw";
     const auto axis_of = [&](char c) { return kNames.find(c); };
     if (name.size() == 2 && name[0] == '_' && axis_of(name[1]) != std::string_view::npos) {
-        return MachineValue{s.position[axis_of(name[1])], is_axis_known(axis_of(name[1]))};
+        return MachineValue{s.position[axis_of(name[1])], s.is_known(axis_of(name[1]))};
     }
     if (name.size() == 6 && name.starts_with("_abs_") &&
         axis_of(name[5]) != std::string_view::npos) {
         const std::size_t a = axis_of(name[5]);
-        if (s.rotation == 0.0 || a > kY) {
+        const FrameStack& f = s.frames;
+        if (f.rotation == 0.0 || a > kY) {
             return MachineValue{
-                s.position[a] + s.offset_92[a] + s.work_offset[a] + s.tool_offset[a],
-                is_axis_known(a) && s.frame[a > kZ ? std::size_t{kZ} : a] == 0};
+                s.position[a] + f.offset_92[a] + f.work_offset[a] + f.tool_offset[a],
+                s.is_known(a) && s.frame[a > kZ ? std::size_t{kZ} : a] == 0};
         }
         return std::nullopt;  // Depends on the rotation; not computed.
     }

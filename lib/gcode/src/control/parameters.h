@@ -80,7 +80,6 @@ private:
     std::optional<MachineValue> fanuc_variable(int number) const;
     std::optional<MachineValue> predefined(std::string_view name) const;
     double empty() const { return rules_.arithmetic.vacant ? kVacant : 0.0; }
-    bool is_axis_known(std::size_t axis) const;
     void note_read(std::string_view key, bool is_set) const;
     void keep_origin(std::string_view key, std::string_view unknown);
 

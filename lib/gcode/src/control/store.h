@@ -23,6 +23,8 @@ struct Wear {
     bool operator==(const Wear&) const = default;
 };
 
+constexpr int kExtended = 9;  ///< System of G54.1 P0: G54.1 Pn is system kExtended + n.
+
 /// Tables of a control: origins, tools, homes, probed positions.
 struct Store {
     std::array<WorkOffset, 9> work_offsets;

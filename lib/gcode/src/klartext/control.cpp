@@ -32,7 +32,7 @@ std::string_view verb_of(const Block& block) {
 
 }  // namespace
 
-Control::Control(const InterpreterOptions& options, Machine& machine, Parameters& parameters,
+Control::Control(const InterpreterOptions& options, Controller& machine, Parameters& parameters,
                  DiagnosticLog& log)
     : BlockControl(options, machine, log), parameters_(parameters) {}
 
@@ -66,9 +66,9 @@ std::vector<language::BlockControl::ActiveMode> Control::modes_left_on() const {
     std::vector<ActiveMode> modes;
     const Transformation& t = transformation_;
     const bool is_mirrored = std::ranges::find(t.is_mirrored, true) != t.is_mirrored.end();
-    if (state.plane_frame) modes.push_back({"a tilted plane", "PLANE RESET"});
+    if (state.frames.tilt) modes.push_back({"a tilted plane", "PLANE RESET"});
     if (state.coordinates == Coordinates::Tip) modes.push_back({"tip control", "M129"});
-    if (state.offset_92 != Axes{}) modes.push_back({"a datum shift", "CYCL DEF 7.1 X+0"});
+    if (state.frames.offset_92 != Axes{}) modes.push_back({"a datum shift", "CYCL DEF 7.1 X+0"});
     if (is_mirrored) modes.push_back({"a mirror image", "CYCL DEF 8.1"});
     if (t.angle != 0.0) modes.push_back({"a rotation", "CYCL DEF 10.1 ROT+0"});
     if (side_ != CutterSide::Off) modes.push_back({"cutter compensation", "R0"});
@@ -171,7 +171,7 @@ bool Control::take_m(const Block& block, const Word& word, Words& words) {
         case 118:
         case 130:
         case 140: {
-            if (m == 130 && !machine_.state().plane_frame) return true;
+            if (m == 130 && !machine_.state().frames.tilt) return true;
             if (m != 140) return fail(Message::KlartextVerb, word.span, {name});
             break;
         }
@@ -257,7 +257,7 @@ void Control::begin_contour(const Control& caller) {
     set_units(caller.inches_);
     plane_ = caller.plane_;
     Command command = make({});
-    put(command, plane_ == Plane::XY ? Code::G17 : plane_ == Plane::ZX ? Code::G18 : Code::G19);
+    put(command, code_of(plane_));
     (void)machine_.execute(command);
     // The feed of the cycle counts.
     machine_.state().feed = 1.0;

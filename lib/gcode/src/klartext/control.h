@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Control floor of Klartext: paths, tools, datum shifts, rotation, mirror images, scale, tilted
-// planes and hole cycles, as commands of Machine. No text of G-code is made.
+// planes and hole cycles, as commands of Controller. No text of G-code is made.
 #pragma once
 
 #include "ncsim/base/vec2.h"
 #include "ncsim/gcode/interpretation.h"
 
 #include "control/command.h"
-#include "control/machine.h"
+#include "control/controller.h"
 #include "klartext/block.h"
 #include "klartext/q_parameters.h"
 #include "klartext/scanner.h"
@@ -29,13 +29,12 @@ namespace ncsim::gcode::klartext {
 /// Returns the names of tools that the program calls by name, in the order of the first call.
 std::vector<std::string> tool_names(const SourceFile& program);
 using language::Corner;
-using language::kAxisNames;
 using language::kFirstNamedTool;
 
 /// Executes blocks that act on the machine.
 class Control : public language::BlockControl {
 public:
-    Control(const InterpreterOptions& options, Machine& machine, Parameters& parameters,
+    Control(const InterpreterOptions& options, Controller& machine, Parameters& parameters,
             DiagnosticLog& log);
 
     void set_units(bool inches);

@@ -22,7 +22,6 @@ std::size_t axis_of(std::string_view name) {
 /// set-up.
 bool Control::preset(const Block& block, double number) {
     constexpr double kMost = 290.0;
-    constexpr int kSpecified = 9;
     constexpr double kPresetZero = 300.0;  // Number of the system that stands for preset 0.
     if (!(number >= 0.0 && number <= kMost) || number != std::floor(number)) {
         return fail(Message::KlartextPresetNumber, block.whole(),
@@ -30,11 +29,9 @@ bool Control::preset(const Block& block, double number) {
     }
     if (!end_compensation(block.whole())) return false;
     has_preset_ = true;
-    constexpr std::array kSystems{Code::G54, Code::G55,   Code::G56,   Code::G57,  Code::G58,
-                                  Code::G59, Code::G59_1, Code::G59_2, Code::G59_3};
     Command command = make(block.whole());
-    if (number >= 1.0 && number <= kSpecified) {
-        put(command, kSystems[static_cast<std::size_t>(number) - 1]);
+    if (number >= 1.0 && number <= kExtended) {
+        put(command, kSystemCodes[static_cast<std::size_t>(number) - 1]);
     } else {
         put(command, Code::G54_1);
         put(command, 'P', number == 0.0 ? kPresetZero : number);
@@ -68,7 +65,8 @@ bool Control::datum_shift(const Block& block, Scanner& scan) {
         }
         const std::optional<double> value = parameters_.read_value(scan, block);
         if (!value) return false;
-        put(command, kAxisNames[axis], *value + (is_incremental ? state.offset_92[axis] : 0.0));
+        put(command, kAxisNames[axis],
+            *value + (is_incremental ? state.frames.offset_92[axis] : 0.0));
     }
     if (command.present == 0) return true;
     if (!has_preset_ && !is_preset_reported_) {
@@ -86,7 +84,6 @@ bool Control::datum_shift(const Block& block, Scanner& scan) {
 bool Control::apply(const Block& block) {
     const Transformation& t = transformation_;
     const bool is_mirrored = std::ranges::find(t.is_mirrored, true) != t.is_mirrored.end();
-    const bool is_scaled = t.scale != std::array<double, 3>{1.0, 1.0, 1.0};
     const bool is_uneven = t.scale[0] != t.scale[1] || t.scale[1] != t.scale[2];
     if (t.angle != 0.0 && (is_mirrored || is_uneven)) {
         return fail(Message::KlartextVerb, block.whole(),
@@ -95,16 +92,11 @@ bool Control::apply(const Block& block) {
     if (side_ != CutterSide::Off)
         return fail(Message::KlartextVerb, block.whole(), {"a transformation under RL or RR"});
     machine_.flush();
-    ProgrammedTransform& programmed = machine_.state().programmed;
-    programmed.rotated = t.angle != 0.0;
-    programmed.plane = plane_;
-    programmed.angle = t.angle;
-    programmed.centre_1 = programmed.centre_2 = 0.0;
-    programmed.scaled = is_mirrored || is_scaled;
+    std::array<double, 3> factors = t.scale;
     for (std::size_t i = 0; i < 3; ++i) {
-        programmed.scale[i] = t.is_mirrored[i] ? -t.scale[i] : t.scale[i];
-        programmed.scale_centre[i] = t.centre[i];
+        if (t.is_mirrored[i]) factors[i] = -factors[i];
     }
+    machine_.state().frames.programmed.set(plane_, t.angle, factors, t.centre);
     refresh();
     tangent_.reset();
     return true;
@@ -234,8 +226,7 @@ bool Control::working_plane(const Block& block, Scanner& scan) {
     const FeatureFrame frame =
         turn_about(2, angle[2]) * turn_about(1, angle[1]) * turn_about(0, angle[0]);
     if (!tilt(frame, "CYCL DEF 19", block.whole())) return false;
-    const auto axes =
-        machine_.axes_of_tilt(Machine::LeadingAxis::Preferred, "CYCL DEF 19", block.whole());
+    const auto axes = machine_.axes_of_tilt(LeadingAxis::Preferred, "CYCL DEF 19", block.whole());
     if (!axes) return false;
     for (std::size_t i = 0; i < 3; ++i)
         parameters_.set_system(static_cast<std::uint32_t>(120 + i),
@@ -251,7 +242,7 @@ struct PlaneWords {
     std::array<double, 3> base{}, normal{};
     bool has_base = false, has_normal = false;
     enum class Way : std::uint8_t { None, Stay, Turn, Move } way = Way::None;
-    Machine::LeadingAxis leading = Machine::LeadingAxis::Preferred;
+    LeadingAxis leading = LeadingAxis::Preferred;
     bool is_rapid = false;
     std::optional<double> feed;
     bool turns_table = true;
@@ -291,8 +282,7 @@ bool Control::plane(const Block& block) {
             const char sign = scan.peek();
             if (sign != '+' && sign != '-') return refuse();
             scan.move_to(scan.at() + 1);
-            words.leading =
-                sign == '+' ? Machine::LeadingAxis::Positive : Machine::LeadingAxis::Negative;
+            words.leading = sign == '+' ? LeadingAxis::Positive : LeadingAxis::Negative;
             continue;
         }
         if (word == "FMAX" || (word == "F" && scan.take_word("MAX"))) {

@@ -630,14 +630,11 @@ std::optional<std::size_t> Runner::open_file(const std::string& name) {
     for (std::size_t i = 0; i < files_.size(); ++i) {
         if (files_[i].source->name == source->name) return i;
     }
-    constexpr std::size_t kMostFiles = 1000;
-    if (files_.size() >= kMostFiles) return std::nullopt;
-    auto owned = std::make_unique<SourceFile>(std::move(*source));
+    auto owned = keep_file(std::move(*source), files_.size());
+    if (!owned) return std::nullopt;
     const SourceFile* kept = owned.get();
     control_.add_tool_names(tool_names(*kept));
     files_.push_back({kept, std::move(owned), Reader(*kept), false, {}});
-    most_blocks_ += line_count(kept->text);
-    result_.files.push_back(kept->name);
     return files_.size() - 1;
 }
 

@@ -134,7 +134,7 @@ bool Control::tool_call(const Block& block) {
     const bool changes_plane = plane && *plane != plane_;
     if (plane) {
         plane_ = *plane;
-        put(command, plane_ == Plane::XY ? Code::G17 : plane_ == Plane::ZX ? Code::G18 : Code::G19);
+        put(command, code_of(plane_));
     }
     if (has_tool) {
         radius_oversize_ = oversize;

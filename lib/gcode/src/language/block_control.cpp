@@ -18,10 +18,11 @@ const gcode::Block kNoWords;
 
 }  // namespace
 
-BlockControl::BlockControl(const InterpreterOptions& options, Machine& machine, DiagnosticLog& log)
+BlockControl::BlockControl(const InterpreterOptions& options, Controller& machine,
+                           DiagnosticLog& log)
     : options_(options), machine_(machine), log_(log) {
     machine_.state().absolute_centres = true;
-    at_ = machine_.programmed_position();
+    at_ = machine_.state().programmed_position();
 }
 
 bool BlockControl::fail(const MessageText& message, SourceSpan span,
@@ -31,28 +32,10 @@ bool BlockControl::fail(const MessageText& message, SourceSpan span,
 }
 
 Command BlockControl::make(SourceSpan span) {
-    Command command;
-    command.block = &kNoWords;
-    command.span = span;
-    command.g.fill(Code::None);
-    command.m.fill(kNone);
-    return command;
+    return empty_command(kNoWords, span);
 }
 
-void BlockControl::put(Command& command, char letter, double value) {
-    command.present |= 1U << letter_index(letter);
-    command.value[letter_index(letter)] = value;
-}
-
-void BlockControl::put(Command& command, Code code) {
-    command.g[static_cast<std::size_t>(entry_of(code).group)] = code;
-}
-
-void BlockControl::put(Command& command, MGroup group, int m) {
-    command.m[static_cast<std::size_t>(group)] = static_cast<std::int16_t>(m);
-}
-
-void BlockControl::put(Command& command, const Corner& corner) {
+void put(Command& command, const Corner& corner) {
     command.corner = corner.letter;
     command.corner_size = corner.size;
     command.corner_is_modal = corner.is_modal;
@@ -77,10 +60,10 @@ bool BlockControl::run(const Command& command) {
 
 bool BlockControl::is_unknown(AxisMask mask) const {
     const MachineState& state = machine_.state();
-    const auto named = [mask](Axis axis) { return (mask >> axis & 1U) != 0; };
-    return (named(kX) && (!state.known.x || state.relative.x)) ||
-           (named(kY) && (!state.known.y || state.relative.y)) ||
-           (named(kZ) && (!state.known.z || state.relative.z));
+    for (std::size_t i = kX; i <= kZ; ++i) {
+        if ((mask >> i & 1U) != 0 && (!state.known[i] || state.relative[i])) return true;
+    }
+    return false;
 }
 
 void BlockControl::show_defined_cycle(int number, SourceSpan span) {
@@ -110,7 +93,7 @@ void BlockControl::check_tool_change(SourceSpan span) {
 void BlockControl::refresh() {
     lowest_feed_.reset();
     highest_.reset();
-    at_ = machine_.programmed_position();
+    at_ = machine_.state().programmed_position();
 }
 
 void BlockControl::arrive(const Axes& end) {

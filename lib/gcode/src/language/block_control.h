@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Common part of the control floors of languages whose blocks are not words of G-code (Klartext,
-// SINUMERIK): commands of Machine, positions, arcs, tools by name, holes.
+// SINUMERIK): commands of Controller, positions, arcs, tools by name, holes.
 #pragma once
 
 #include "ncsim/base/vec2.h"
 #include "ncsim/gcode/interpretation.h"
 
 #include "control/command.h"
-#include "control/machine.h"
+#include "control/controller.h"
 #include "language/milling.h"
 
 #include <array>
@@ -23,7 +23,6 @@
 namespace ncsim::gcode::language {
 
 /// Letters of the axes, by index.
-inline constexpr std::string_view kAxisNames = "XYZABCUVW";
 /// Letters of the coordinates of a centre, by the index of the axis.
 inline constexpr std::array kCentres{'I', 'J', 'K'};
 /// Number of the first tool with a name; the next names follow.
@@ -37,6 +36,7 @@ struct Corner {
     std::optional<double> feed;  ///< Feed of the corner only.
     SourceSpan span;
 };
+void put(Command& command, const Corner& corner);
 
 /// Depths of a hole that is drilled in infeeds. Heights along the tool axis, active units.
 struct Pecks {
@@ -72,7 +72,7 @@ struct Tapping {
 /// Executes blocks that act on the machine.
 class BlockControl {
 public:
-    BlockControl(const InterpreterOptions& options, Machine& machine, DiagnosticLog& log);
+    BlockControl(const InterpreterOptions& options, Controller& machine, DiagnosticLog& log);
     virtual ~BlockControl() = default;
 
     /// Sets the file of the following blocks, as an index into Interpretation::files.
@@ -89,10 +89,6 @@ protected:
     bool fail(const MessageText& message, SourceSpan span,
               std::initializer_list<std::string_view> arguments = {});
     static Command make(SourceSpan span);
-    static void put(Command& command, char letter, double value);
-    static void put(Command& command, Code code);
-    static void put(Command& command, MGroup group, int m);
-    static void put(Command& command, const Corner& corner);
     /// Executes `command`.
     /// Returns: false if the program stops.
     bool run(const Command& command);
@@ -146,7 +142,7 @@ protected:
     void report_unknown_radius(std::string_view name);
 
     const InterpreterOptions& options_;
-    Machine& machine_;
+    Controller& machine_;
     DiagnosticLog& log_;
     std::uint32_t file_ = 0;
     /// Position in coordinates of the program, without cutter compensation.

@@ -17,9 +17,7 @@ constexpr double kPeckRounding = 1e-9;  // A last peck of this size is a roundin
 /// Moves the tool axis to `height`; without `feed`: rapid.
 bool BlockControl::move_to(double height, std::optional<double> feed) {
     const std::size_t axis = axes_of(plane_).third;
-    const KnownAxes& known = machine_.state().known;
-    const bool is_known = axis == kX ? known.x : axis == kY ? known.y : known.z;
-    if (is_known && at_[axis] == height) return true;
+    if (machine_.state().is_known(axis) && at_[axis] == height) return true;
     Command command = make(cycle_span_);
     put(command, feed ? Code::G1 : Code::G0);
     if (feed) put(command, 'F', *feed);

@@ -7,6 +7,7 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ncsim::gcode::language {
 
@@ -35,7 +36,20 @@ void ProgramRunner::run() {
     path_.finish();
     machine_.report_to(result_);
     result_.stopped = ended_ && !result_.ended;
-    if (!result_.ended && !ended_) log_.add(Message::ProgramEndMissing, {last_line(), 1, 0});
+    if (!result_.ended && !ended_) report_missing_end(last_line());
+}
+
+void ProgramRunner::report_missing_end(std::uint32_t line) {
+    log_.add(Message::ProgramEndMissing, {line, 1, 0});
+}
+
+std::unique_ptr<SourceFile> ProgramRunner::keep_file(SourceFile source, std::size_t count) {
+    constexpr std::size_t kMostFiles = 1000;
+    if (count >= kMostFiles) return nullptr;
+    auto kept = std::make_unique<SourceFile>(std::move(source));
+    most_blocks_ += line_count(kept->text);
+    result_.files.push_back(kept->name);
+    return kept;
 }
 
 bool ProgramRunner::fail(const MessageText& message, SourceSpan span,

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Common part of the runners of languages whose blocks are not words of G-code: the machine, the
-// limits of repeated blocks, block delete, the end of the program.
+// Common part of the runners of all languages: the control, the limits of repeated blocks, further
+// files, block delete, the end of the program.
 #pragma once
 
 #include "ncsim/gcode/interpretation.h"
 
-#include "control/machine.h"
+#include "control/controller.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
 #include <string_view>
 
 namespace ncsim::gcode::language {
@@ -37,6 +38,11 @@ protected:
     /// Returns the file of the next block, as an index into Interpretation::files.
     virtual std::uint32_t current_file() const = 0;
 
+    /// Reports that the program has no end. `line`: the last line.
+    virtual void report_missing_end(std::uint32_t line);
+    /// Keeps `source` as a further file of the program, and counts its lines.
+    /// Returns: null if the program already has the number `count` of files.
+    std::unique_ptr<SourceFile> keep_file(SourceFile source, std::size_t count);
     /// Reports an error.
     /// Returns: false.
     bool fail(const MessageText& message, SourceSpan span,
@@ -59,10 +65,11 @@ protected:
     const InterpreterOptions& options_;
     DiagnosticLog& log_;
     Interpretation& result_;
-    Parameters registers_;  // Required by Machine; the languages do not read the registers.
+    Parameters registers_;  // #1 …; G-code alone reads the registers.
     Path path_;
-    Machine machine_;
-    std::uint64_t repeated_ = 0;
+    Controller machine_;
+    std::uint64_t repeated_ = 0;  // Blocks since the first jump or call.
+    /// Limit of `repeated_`: the option plus the number of lines.
     std::uint64_t most_blocks_ = 0;
     bool ended_ = false;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Calls of subprograms by O-words, M98, M97, G65: search, entry and return.
+#include "control/cycles/cycle_steps.h"
 #include "program/runner.h"
 #include "text/line_end.h"
 
@@ -22,7 +23,7 @@ ProgramIndex& Runner::index() {
 
 bool Runner::jump(std::size_t file_number, BlockReader::Place place) {
     if (file_number == current_ && place.line < file().reader.place().line) {
-        repeated_ = std::max<std::uint64_t>(repeated_, 1);  // Starts the count of repeated blocks.
+        count_repeats();
     }
     current_ = file_number;
     file().reader.seek(place);
@@ -58,14 +59,11 @@ std::optional<std::size_t> Runner::open_file(const std::string& name) {
     for (std::size_t i = 0; i < files_.size(); ++i) {
         if (files_[i].source->name == source->name) return i;
     }
-    constexpr std::size_t kMostFiles = 1000;
-    if (files_.size() >= kMostFiles) return std::nullopt;
-    auto owned = std::make_unique<SourceFile>(std::move(*source));
+    auto owned = keep_file(std::move(*source), files_.size());
+    if (!owned) return std::nullopt;
     const SourceFile* kept = owned.get();
     files_.push_back(
         {kept, std::move(owned), BlockReader(*kept, {.strict = rules_.strict}), nullptr});
-    most_blocks_ += line_count(kept->text);
-    result_.files.push_back(kept->name);
     return files_.size() - 1;
 }
 
@@ -118,8 +116,8 @@ void Runner::enter(Frame frame, const Target& target) {
     frame.start = start;
     frame.repeats = repeats_.size();
     frames_.push_back(std::move(frame));
-    parameters_.view.call_level = static_cast<int>(frames_.size());
-    repeated_ = std::max<std::uint64_t>(repeated_, 1);
+    registers_.view.call_level = static_cast<int>(frames_.size());
+    count_repeats();
     jump(target.file, start);
 }
 
@@ -129,19 +127,16 @@ void Runner::finish_subprogram() {
     repeats_.resize(std::min(repeats_.size(), frame.repeats));
     if (frame.remaining > 0) {
         --frame.remaining;
-        if (++repeated_ > most_blocks_) {
-            fault(Message::StepLimit, block_.line_span());
-            ended_ = true;
-        }
+        (void)count_block(true, block_.line_span());
         jump(frame.own_file, frame.start);
         return;
     }
-    if (frame.has_locals) parameters_.restore_locals(std::move(frame.locals), frame.local_count);
+    if (frame.has_locals) registers_.restore_locals(std::move(frame.locals), frame.local_count);
     const auto modes = frame.restores ? frame.modes : nullptr;
     const std::size_t back_file = frame.file;
     const BlockReader::Place back = frame.back;
     frames_.pop_back();
-    parameters_.view.call_level = static_cast<int>(frames_.size());
+    registers_.view.call_level = static_cast<int>(frames_.size());
     if (modes) machine_.restore_modes(*modes, block_.line_span());
     jump(back_file, back);
 }
@@ -149,7 +144,7 @@ void Runner::finish_subprogram() {
 /// M70 and M73 save the modes of the call level, M71 discards the saved modes, M72 restores the
 /// modes.
 void Runner::save_or_restore(int m) {
-    std::shared_ptr<const Machine::SavedModes>& modes =
+    std::shared_ptr<const Controller::SavedModes>& modes =
         frames_.empty() ? main_modes_ : frames_.back().modes;
     switch (m) {
         case 70: modes = machine_.save_modes(); break;
@@ -295,7 +290,7 @@ bool Runner::record_outline() {
         if (!resolver_.resolve(block, command)) break;
         good = command.group(MGroup::Call) == 99;
         if (good) break;
-        if (!Machine::belongs_to_outline(command)) {
+        if (!belongs_to_outline(command)) {
             fault(Message::PocketWord, command.span,
                   {"the outline of G150", "lines and arcs (G1, G2, G3) alone"});
             break;
@@ -315,7 +310,7 @@ void Runner::return_from_subprogram() {
         // M99 in the main program restarts the program; a single run shows all motions.
         if (!rules_.strict) log_.add(Message::MainRepeats, command_.span);
         machine_.finish();
-        end_program();
+        end();
         return;
     }
     const Frame& frame = frames_.back();

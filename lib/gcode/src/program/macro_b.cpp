@@ -138,9 +138,9 @@ void Runner::macro_call(int g) {
     frame.remaining = static_cast<std::uint64_t>(std::min(runs, 1e9)) - 1;
     frame.has_locals = true;
     frame.local_count = Parameters::kLocals;
-    frame.locals = parameters_.take_locals(frame.local_count);
+    frame.locals = registers_.take_locals(frame.local_count);
     for (std::size_t i = 1; i < values.size(); ++i) {
-        parameters_.set_numbered(static_cast<double>(i), values[i], unknown[i]);
+        registers_.set_numbered(static_cast<double>(i), values[i], unknown[i]);
     }
     enter(std::move(frame), *target);
 }

@@ -64,14 +64,14 @@ void Runner::o_word() {
             if (rules_.strict && frame.kind != CallKind::OWord) {
                 return fault(Message::CallForms, control.span, {join_label("O", label)});
             }
-            parameters_.view.has_return_value = false;
-            parameters_.view.return_value = 0.0;
+            registers_.view.has_return_value = false;
+            registers_.view.return_value = 0.0;
             if (!control.expression.empty()) {
                 const std::optional<double> value =
                     resolver_.value_of(control.expression, control.span, false);
                 if (value) {
-                    parameters_.view.return_value = std::isnan(*value) ? 0.0 : *value;
-                    parameters_.view.has_return_value = true;
+                    registers_.view.return_value = std::isnan(*value) ? 0.0 : *value;
+                    registers_.view.has_return_value = true;
                 }
             }
             finish_subprogram();
@@ -287,13 +287,13 @@ void Runner::o_call() {
     while (!rest.empty()) {
         ExpressionFault found;
         const std::optional<double> value =
-            evaluate_first(rest, parameters_, rules_.arithmetic, found);
+            evaluate_first(rest, registers_, rules_.arithmetic, found);
         if (!value) {
             log_.add(Severity::Error, found.message, control.span, {found.argument});
             return;
         }
         if (count >= arguments.size()) return fault(Message::CallArguments, control.span);
-        unknown[count] = parameters_.take_unknown();
+        unknown[count] = registers_.take_unknown();
         arguments[count++] = std::isnan(*value) ? 0.0 : *value;
     }
     const std::optional<Target> target = find_target(ControlWord::Sub, *label, true);
@@ -311,9 +311,9 @@ void Runner::o_call() {
     frame.label = *label;
     frame.has_locals = true;
     frame.local_count = 30;
-    frame.locals = parameters_.take_locals(frame.local_count);
+    frame.locals = registers_.take_locals(frame.local_count);
     for (std::size_t i = 0; i < count; ++i) {
-        parameters_.set_numbered(static_cast<double>(i + 1), arguments[i], unknown[i]);
+        registers_.set_numbered(static_cast<double>(i + 1), arguments[i], unknown[i]);
     }
     enter(std::move(frame), *target);
 }

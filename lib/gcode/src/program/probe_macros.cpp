@@ -49,7 +49,7 @@ bool Runner::probe_macro(int number, const std::array<double, Parameters::kLocal
     }
     if (number != 9810 && number != 9811) return false;
     // The macros compute with coordinates, which G68, G51 and G16 transform.
-    const ProgrammedTransform& programmed = machine_.state().programmed;
+    const ProgrammedTransform& programmed = machine_.state().frames.programmed;
     if (programmed.rotated || programmed.scaled || programmed.polar) return false;
     std::string there;
     std::string back;

@@ -28,43 +28,22 @@ bool uses_variables(const Block& block) {
 Runner::Runner(const SourceFile& program, const InterpreterOptions& options, const Rules& rules,
                ArcCentres& centres, const MotionSink& sink, DiagnosticLog& log,
                Interpretation& result)
-    : options_(options),
+    : ProgramRunner(program, options, rules, centres, sink, log, result),
       rules_(rules),
-      log_(log),
-      result_(result),
-      path_(options, sink, log, result),
-      machine_(options, rules, centres, log, path_, parameters_),
-      resolver_(rules, parameters_, log, options) {
-    parameters_.set_rules(rules);
+      resolver_(rules, registers_, log, options) {
     for (const auto& [name, value] : options.variables)
-        parameters_.specify(name, value);
-    most_blocks_ = options.limits.repeated_blocks + line_count(program.text);
+        registers_.specify(name, value);
     files_.push_back({&program, nullptr, BlockReader(program, {.strict = rules.strict}), nullptr});
 }
 
 void Runner::run() {
-    if (options_.observe_state) options_.observe_state(0, 0, machine_.state());
-    for (bool goes_on = true; goes_on && !ended_;) {
-        const auto file = static_cast<std::uint32_t>(current_);
-        const std::uint64_t lines = result_.lines;
-        goes_on = step();
-        if (options_.observe_state && result_.lines > lines)
-            options_.observe_state(file, block_.line, machine_.state());
-    }
-    machine_.flush();
-    path_.finish();
-    machine_.report_to(result_);
+    ProgramRunner::run();
     result_.inherited_modes = head_modes_.unset(rules_.dialect);
-    result_.stopped = ended_ && !result_.ended;
-    if (!result_.ended && !ended_) {
-        log_.add(rules_.strict ? Severity::Error : Severity::Note, Message::ProgramEndMissing,
-                 {block_.line, 1, 0});
-    }
 }
 
-void Runner::end_program() {
-    result_.ended = true;
-    ended_ = true;
+void Runner::report_missing_end(std::uint32_t line) {
+    log_.add(rules_.strict ? Severity::Error : Severity::Note, Message::ProgramEndMissing,
+             {line, 1, 0});
 }
 
 bool Runner::step() {
@@ -79,21 +58,15 @@ bool Runner::step() {
     }
     ++result_.lines;
     // Blocks beyond the number of lines were read before, by a loop or a call.
-    if (!frames_.empty() || repeated_ > 0) {
-        file().reader.keep_lines();
-        if (++repeated_ > most_blocks_) {
-            fault(Message::StepLimit, block_.line_span());
-            ended_ = true;
-            return false;
-        }
-    }
+    if (!frames_.empty() || repeated_ > 0) file().reader.keep_lines();
+    if (!count_block(!frames_.empty(), block_.line_span())) return false;
     constexpr std::size_t kLongestStrict = 252;  // Limit of LinuxCNC.
     if (rules_.strict && block_.text.size() > kLongestStrict) {
         fault(Message::LineTooLong, {block_.line, 1, 1});
         ended_ = true;
         return false;
     }
-    parameters_.view.line = block_.line;
+    registers_.view.line = block_.line;
     if (block_.kind != BlockKind::Words) {
         if (block_.kind == BlockKind::Percent) return percent();
         return true;
@@ -101,9 +74,8 @@ bool Runner::step() {
     if (block_.block_delete) {
         const bool does_something = block_.control.word != ControlWord::None ||
                                     !block_.words.empty() || !block_.assignments.empty();
-        if (does_something && !result_.deletable)
-            result_.deletable = {static_cast<std::uint32_t>(current_), block_.line_span()};
-        if (options_.block_delete) return true;
+        if (does_something ? skips_deletable(current_, block_.line_span()) : options_.block_delete)
+            return true;
     }
     if (block_.control.word != ControlWord::None) {
         something_read_ = true;
@@ -177,11 +149,10 @@ void Runner::act_on_words() {
     machine_.execute(command_);
     note_blend();
     if (machine_.stopped()) {
-        result_.refused = true;
-        ended_ = true;
+        stop();
         return;
     }
-    if (machine_.ended()) return end_program();
+    if (machine_.ended()) return end();
     // Moves of the macro itself trigger no calls.
     if (!modal_call_.empty() && path_.count() > motions && frames_.size() <= modal_level_)
         macro_call(0);
@@ -310,7 +281,7 @@ bool Runner::percent() {
         if (!bare || !something_read_) return true;
     }
     machine_.flush();
-    end_program();
+    end();
     return true;
 }
 
@@ -345,7 +316,7 @@ bool Runner::assign(const Block& block) {
         std::string_view target = p.assignment->target;
         if (target.starts_with('<')) {
             target = target.substr(1, target.size() - 2);
-            if (!parameters_.set_named(target, p.value, p.unknown)) {
+            if (!registers_.set_named(target, p.value, p.unknown)) {
                 log_.add(Message::ParameterReadOnly, p.assignment->span, {p.assignment->target});
             }
         } else if (!assign_number(*p.assignment, p.number, p.value, p.unknown)) {
@@ -362,7 +333,7 @@ bool Runner::assign(const Block& block) {
 /// Returns: false if there is no such parameter.
 bool Runner::assign_number(const Assignment& assignment, double number, double value,
                            const std::string& unknown) {
-    if (!parameters_.set_numbered(number, value, unknown)) return false;
+    if (!registers_.set_numbered(number, value, unknown)) return false;
     const int n = static_cast<int>(std::lround(number));
     const SystemVariable variable = system_variable(n, rules_);
     if (variable.effect == SystemVariable::Effect::Stored) return true;
@@ -388,7 +359,7 @@ bool Runner::assign_number(const Assignment& assignment, double number, double v
     }
     machine_.set_origin(assignment.span, static_cast<std::uint32_t>(current_));
     if (machine_.set_variable(variable, value, !unknown.empty(), assignment.span))
-        parameters_.show_machine(n);
+        registers_.show_machine(n);
     return true;
 }
 

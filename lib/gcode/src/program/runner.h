@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs a program: reads blocks, follows loops and calls, passes commands to Machine.
+// Runs a program: reads blocks, follows loops and calls, passes commands to Controller.
 //
 // runner.cpp has the execution of a block, o_words.cpp the control words of RS274/NGC, macro_b.cpp
 // the control words of Fanuc Macro B, calls.cpp the common part: subprograms, files, call frames.
@@ -9,8 +9,9 @@
 #include "ncsim/gcode/interpretation.h"
 #include "ncsim/gcode/parser.h"
 
-#include "control/machine.h"
+#include "control/controller.h"
 #include "control/system_variable.h"
+#include "language/program_runner.h"
 #include "program/block_resolver.h"
 #include "program/head_modes.h"
 #include "program/program_index.h"
@@ -23,10 +24,10 @@
 #include <string>
 #include <utility>
 
-/// Runs a program.
 namespace ncsim::gcode {
 
-class Runner {
+/// Runs a program in G-code.
+class Runner final : public language::ProgramRunner {
 public:
     Runner(const SourceFile& program, const InterpreterOptions& options, const Rules& rules,
            ArcCentres& centres, const MotionSink& sink, DiagnosticLog& log, Interpretation& result);
@@ -54,7 +55,7 @@ private:
         Parameters::Locals locals;
         std::size_t repeats = 0;  // Size of repeats_ at the call.
         // Modes saved by M70 and M73; null: none.
-        std::shared_ptr<const Machine::SavedModes> modes;
+        std::shared_ptr<const Controller::SavedModes> modes;
         bool restores = false;  // M73: restores the modes at the return.
     };
     struct Repeat {
@@ -68,7 +69,10 @@ private:
     };
 
     // Execution of a block
-    bool step();
+    bool step() override;
+    void report_missing_end(std::uint32_t line) override;
+    std::uint32_t last_line() const override { return block_.line; }
+    std::uint32_t current_file() const override { return static_cast<std::uint32_t>(current_); }
     bool percent();
     bool is_first_text() const;
     bool assign(const Block& block);
@@ -83,7 +87,6 @@ private:
     void note_points();
     void note_blend();
     void note_control_dependent();
-    void end_program();
 
     // Control words. Each function may seek, call or return.
     void o_word();
@@ -122,13 +125,7 @@ private:
     void fault(const MessageText& message, SourceSpan span,
                std::initializer_list<std::string_view> arguments = {});
 
-    const InterpreterOptions& options_;
     const Rules& rules_;
-    DiagnosticLog& log_;
-    Interpretation& result_;
-    Parameters parameters_;
-    Path path_;
-    Machine machine_;
     Resolver resolver_;
     HeadModes head_modes_;
     std::deque<OpenFile> files_;
@@ -140,12 +137,10 @@ private:
     std::set<std::string> called_;  ///< Labels of the called subroutines.
     /// File and line of each control structure that was reached, by subroutine and label.
     std::map<std::pair<std::string, std::string>, std::pair<std::size_t, std::uint32_t>> labels_;
-    std::shared_ptr<const Machine::SavedModes> main_modes_;  // Modes saved by M70 outside of calls.
+    std::shared_ptr<const Controller::SavedModes>
+        main_modes_;  // Modes saved by M70 outside of calls.
     Block block_;
     Command command_;
-    std::uint64_t repeated_ = 0;  // Blocks since the first jump or call.
-    /// Limit of `repeated_`: the option plus the number of lines.
-    std::uint64_t most_blocks_ = 0;
     std::uint32_t else_if_line_ = 0;  // Line of an elseif that was reached by a jump.
     std::string modal_call_;          // G66: the block to execute after each move.
     std::size_t modal_level_ = 0;     // Call level of the G66.
@@ -153,7 +148,6 @@ private:
     bool percent_opened_ = false;
     bool something_read_ = false;
     bool has_reported_points_ = false;
-    bool ended_ = false;
 };
 
 }  // namespace ncsim::gcode

@@ -122,7 +122,7 @@ bool Control::tangential(const Command& command, const Axes& end, AxisMask mask,
     Command straight = command;
     put(straight, Code::G1);
     for (std::size_t i = 0; i < end.size(); ++i) {
-        if ((mask >> i & 1U) != 0) put(straight, language::kAxisNames[i], end[i]);
+        if ((mask >> i & 1U) != 0) put(straight, kAxisNames[i], end[i]);
     }
     straight.axis_words = true;
     if (!run(straight)) return false;

@@ -84,27 +84,21 @@ bool Control::apply_frame(std::string_view name, SourceSpan span) {
     const Frame all = swivel_.then(chain_);
     const bool is_flat =
         !all.rigid.is_turned() || (all.turn && all.turn->axis == axes_of(plane_).third);
-    ProgrammedTransform& programmed = machine_.state().programmed;
+    ProgrammedTransform& programmed = machine_.state().frames.programmed;
     programmed.rotated = false;
     programmed.scaled = false;
     Command command = make(span);
     put(command, Code::G52);
-    for (std::size_t i = 0; i < language::kAxisNames.size(); ++i) {
+    for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
         const double shift = i > kZ ? all.shift[i] : is_flat ? all.rigid.origin[i] : 0.0;
-        if (i <= kZ || shift != machine_.state().offset_92[i])
-            put(command, language::kAxisNames[i], shift);
+        if (i <= kZ || shift != machine_.state().frames.offset_92[i])
+            put(command, kAxisNames[i], shift);
     }
     command.axis_words = true;
     if (!run(command)) return false;
     if (!is_flat && !machine_.tilt(all.rigid, name, span)) return false;
-    ProgrammedTransform& transform = machine_.state().programmed;
-    transform.rotated = is_flat && all.turn && all.turn->angle != 0.0;
-    transform.plane = plane_;
-    transform.angle = transform.rotated ? all.turn->angle : 0.0;
-    transform.centre_1 = transform.centre_2 = 0.0;
-    transform.scaled = all.is_scaled();
-    transform.scale = all.scale;
-    transform.scale_centre = {};
+    machine_.state().frames.programmed.set(plane_, is_flat && all.turn ? all.turn->angle : 0.0,
+                                           all.scale, {});
     refresh();
     tangent_.reset();
     return true;
@@ -147,17 +141,16 @@ bool Control::swivel(const CycleCall& call) {
         (void)frame.rotate(static_cast<int>(axis) - 1, angle[i]);
     }
     frame.translate({at(10), at(11), at(12)});
-    const bool was_tilted = machine_.state().plane_frame.has_value();
+    const bool was_tilted = machine_.state().frames.tilt.has_value();
     swivel_ = frame;
     if (!apply_frame("CYCLE800", span)) return false;
     const double direction = at(13);
-    const bool is_tilted = machine_.state().plane_frame.has_value();
+    const bool is_tilted = machine_.state().frames.tilt.has_value();
     if (direction == 0.0 || (!is_tilted && !was_tilted)) return true;
     Axes axes = machine_.state().position;
     if (is_tilted) {
         const auto found = machine_.axes_of_tilt(
-            direction < 0.0 ? Machine::LeadingAxis::Least : Machine::LeadingAxis::Greatest,
-            "CYCLE800", span);
+            direction < 0.0 ? LeadingAxis::Least : LeadingAxis::Greatest, "CYCLE800", span);
         if (!found) return false;
         axes = *found;
     } else {

@@ -315,8 +315,8 @@ bool Control::move_over(const HolePlace& place, SourceSpan span) {
     const PlaneAxes axes = axes_of(plane_);
     Command command = make(span);
     put(command, Code::G0);
-    put(command, language::kAxisNames[axes.first], place.first);
-    put(command, language::kAxisNames[axes.second], place.second);
+    put(command, kAxisNames[axes.first], place.first);
+    put(command, kAxisNames[axes.second], place.second);
     command.axis_words = true;
     if (!run(command)) return false;
     Axes end = at_;

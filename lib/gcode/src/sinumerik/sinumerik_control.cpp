@@ -23,7 +23,7 @@ bool moves_nothing(int m) {
 }  // namespace
 
 Control::Control(const InterpreterOptions& options, const std::array<RotaryWay, 3>& ways,
-                 Machine& machine, DiagnosticLog& log, bool tool_word_changes)
+                 Controller& machine, DiagnosticLog& log, bool tool_word_changes)
     : BlockControl(options, machine, log), ways_(ways), tool_word_changes_(tool_word_changes) {
     is_feed_in_inches_ = options.default_units == DefaultUnits::Inches;
 }
@@ -184,7 +184,7 @@ bool Control::set_system(int code, SourceSpan span) {
     constexpr double kWithoutOffset = 300.0;  // Number of the system that stands for G500.
     constexpr std::array kNamed{Code::G54, Code::G55, Code::G56, Code::G57};
     system_ = code;
-    const bool is_tilted = machine_.state().plane_frame.has_value();
+    const bool is_tilted = machine_.state().frames.tilt.has_value();
     if (is_tilted) machine_.end_tilt();
     Command command = make(span);
     if (code < 500) {
@@ -207,7 +207,7 @@ void Control::begin_contour(const Control& caller) {
     plane_ = caller.plane_;
     Command command = make({});
     put(command, caller.machine_.state().inches ? Code::G20 : Code::G21);
-    put(command, plane_ == Plane::XY ? Code::G17 : plane_ == Plane::ZX ? Code::G18 : Code::G19);
+    put(command, code_of(plane_));
     (void)machine_.execute(command);
     // The feed of the cycle counts.
     machine_.state().feed = 1.0;
@@ -355,7 +355,7 @@ bool Control::seek_home(const Words& words, SourceSpan span) {
     Command command = make(span);
     put(command, Code::G28);
     for (std::size_t i = 0; i < words.axis.size(); ++i) {
-        if (words.axis[i]) put(command, language::kAxisNames[i], 0.0);
+        if (words.axis[i]) put(command, kAxisNames[i], 0.0);
     }
     if (command.present == 0) return fail(Message::BlockNeeds, span, {"G74 or G75", "axes"});
     command.axis_words = true;
@@ -496,8 +496,8 @@ bool Control::line(const Words& words, Command& command, const Axes& end, AxisMa
         const std::size_t i = next_axis(rest);
         double value = by_increments && words.axis[i] ? words.axis[i]->value : end[i];
         // The length of the tool acts under SUPA, too.
-        if (is_of_machine && i < 3) value += state.tool_offset[i];
-        put(command, language::kAxisNames[i], value);
+        if (is_of_machine && i < 3) value += state.frames.tool_offset[i];
+        put(command, kAxisNames[i], value);
     }
     command.axis_words = mask != 0;
     bool by_vector = false;
@@ -547,7 +547,7 @@ std::optional<double> Control::system_value(std::string_view name, std::string_v
     // The program runs on the machine, not in a test or a search.
     if (name == "$P_SIM" || name == "$P_SEARCH" || name == "$P_ISTEST") return 0.0;
     if ((name == "$P_EP" || name == "$AA_IW") && axis.size() == 1) {
-        const std::size_t i = language::kAxisNames.find(axis[0]);
+        const std::size_t i = kAxisNames.find(axis[0]);
         if (i == std::string_view::npos || is_unknown(static_cast<AxisMask>(1U << i)))
             return std::nullopt;
         return at_[i];

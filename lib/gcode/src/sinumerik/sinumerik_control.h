@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Control floor of SINUMERIK: moves, arcs, tools, frames and cycles, as commands of Machine.
+// Control floor of SINUMERIK: moves, arcs, tools, frames and cycles, as commands of Controller.
 // No text of G-code is made.
 #pragma once
 
 #include "ncsim/base/vec2.h"
 
-#include "control/machine.h"
+#include "control/controller.h"
 #include "language/block_control.h"
 #include "sinumerik/formula.h"
 #include "sinumerik/frame.h"
@@ -56,7 +56,7 @@ class Control final : public language::BlockControl, public SystemValues {
 public:
     /// `tool_word_changes`: the program has no M6, so T changes the tool.
     Control(const InterpreterOptions& options, const std::array<RotaryWay, 3>& ways,
-            Machine& machine, DiagnosticLog& log, bool tool_word_changes);
+            Controller& machine, DiagnosticLog& log, bool tool_word_changes);
 
     // Each function returns false after reporting an error at which the program stops.
     /// Executes the words of a block, except the end of the program.

@@ -283,15 +283,12 @@ std::optional<std::size_t> Runner::find_program(const std::string& name) {
             if (programs_[p].file == i) return p;
         }
     }
-    constexpr std::size_t kMostFiles = 1000;
-    if (files_.size() >= kMostFiles) return std::nullopt;
     File file;
-    file.owned = std::make_unique<SourceFile>(std::move(*source));
+    file.owned = keep_file(std::move(*source), files_.size());
+    if (!file.owned) return std::nullopt;
     file.source = file.owned.get();
     file.sections = sections_of(*file.source);
-    most_blocks_ += line_count(file.source->text);
     control_.add_tool_names(tool_names(*file.source));
-    result_.files.push_back(file.source->name);
     const std::size_t first = programs_.size();
     for (const Section& section : file.sections) {
         Program& added = programs_.emplace_back();

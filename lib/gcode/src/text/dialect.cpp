@@ -11,6 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace ncsim::gcode {
 
@@ -63,183 +68,44 @@ constexpr Letters letters_of(std::string_view text) {
     return letters;
 }
 
-/// A text in upper case that supports a conclusion, with a weight. In code, a sign that starts with
-/// a letter must not follow a letter. `in_comments`: the sign is searched in comments instead of
-/// code.
+enum class Place : std::uint8_t { Code, Comment };
+
+/// A text in upper case in `place` that supports the conclusion `of`, with a weight. In code, a
+/// sign that starts with a letter must not follow a letter.
+template <typename Conclusion>
 struct Sign {
+    Conclusion of;
     std::string_view text;
     int weight;
-    bool in_comments;
+    Place place;
     std::string_view because;
     Letters letters = letters_of(text);
 };
 
-struct DialectSigns {
-    Dialect dialect;
-    std::array<Sign, 10> signs{};
+#define NCSIM_SIGN(of, text, weight, place, because) \
+    {Dialect::of, text, weight, Place::place, because},
+constexpr Sign<Dialect> kDialectSigns[] = {
+#include "text/dialect_signs.def"
 };
-constexpr std::array<DialectSigns, 5> kDialects = {{
-    {Dialect::Rs274,
-     {{{"LINUXCNC", 4, true, "a comment names LinuxCNC"},
-       {"#<", 3, false, "named parameters"},
-       {" SUB", 3, false, "O-word subroutines"},
-       {" ENDIF", 3, false, "O-word branches"},
-       {" ENDWHILE", 3, false, "O-word loops"},
-       {"G64P", 1, false, "G64 with a tolerance"},
-       {"G64 P", 1, false, "G64 with a tolerance"},
-       {"G38.", 1, false, "G38 probing"}}}},
-    {Dialect::Fanuc,
-     {{{"FANUC", 4, true, "a comment names Fanuc"},
-       {"GOTO", 3, false, "GOTO of Macro B"},
-       {"WHILE[", 3, false, "WHILE of Macro B"},
-       {"IF[", 3, false, "IF of Macro B"},
-       {"G65", 2, false, "G65 macro calls"},
-       {"G91G28", 1, false, "G91 G28"},
-       {"G91 G28", 1, false, "G91 G28"},
-       {"G05.1", 2, false, "G05.1"},
-       {",C", 2, false, "a chamfer by ,C"},
-       {",R", 2, false, "a rounded corner by ,R"}}}},
-    {Dialect::Haas,
-     {{{"HAAS", 5, true, "a comment names Haas"},
-       {"G187", 4, false, "G187"},
-       {"G154", 4, false, "G154 work offsets"},
-       {"M97", 4, false, "M97 calls"},
-       {"G103", 4, false, "G103"},
-       {"G47", 3, false, "G47 engraving"},
-       {"G150", 3, false, "G150 pockets"},
-       {"M130", 2, false, "M130"},
-       {",C", 2, false, "a chamfer by ,C"},
-       {",R", 2, false, "a rounded corner by ,R"}}}},
-    {Dialect::Grbl,
-     {{{"GRBL", 4, true, "a comment names grbl"},
-       {"$H", 4, false, "the console command $H"},
-       {"$X", 4, false, "the console command $X"},
-       {"$J", 4, false, "the console command $J"},
-       {"$G", 4, false, "the console command $G"},
-       {"$1", 3, false, "a grbl setting"},
-       {"MPCNC", 2, true, "a comment names MPCNC"},
-       {"SHAPEOKO", 3, true, "a comment names a grbl machine"}}}},
-    {Dialect::Mach3,
-     {{{"MACH3", 5, true, "a comment names Mach3"},
-       {"MACH4", 5, true, "a comment names Mach4"},
-       {"MACH2", 5, true, "a comment names Mach2"},
-       {"VECTRIC", 1, true, "a comment names Vectric"}}}},
-}};
+#undef NCSIM_SIGN
 
-struct KindSigns {
-    Kind kind;
-    int enough;
-    std::array<Sign, 18> signs{};
+#define NCSIM_SIGN(of, text, weight, place, because) \
+    {Kind::of, text, weight, Place::place, because},
+constexpr Sign<Kind> kKindSigns[] = {
+#include "text/kind_signs.def"
 };
-constexpr std::array<KindSigns, 8> kKinds = {{
-    {Kind::Heidenhain,
-     4,
-     {{{"BEGIN PGM", 4, false, "BEGIN PGM"},
-       {"END PGM", 4, false, "END PGM"},
-       {"TOOL CALL", 4, false, "TOOL CALL"},
-       {"TOOL DEF", 4, false, "TOOL DEF"},
-       {"CYCL DEF", 4, false, "CYCL DEF"},
-       {"BLK FORM", 4, false, "BLK FORM"},
-       {"FMAX", 3, false, "FMAX"},
-       {"F MAX", 3, false, "F MAX"},
-       {"DR+", 3, false, "turning directions (DR+, DR-)"},
-       {"DR-", 3, false, "turning directions (DR+, DR-)"},
-       {"APPR ", 3, false, "APPR"},
-       {" R0 F", 2, false, "R0 F"},
-       {"LBL ", 2, false, "LBL"},
-       {"CALL LBL", 4, false, "CALL LBL"},
-       {"FN 0", 2, false, "FN 0"}}}},
-    // DIN/ISO of Heidenhain uses letters with different meanings: separate centres (I J), labels
-    // (G98 L).
-    {Kind::HeidenhainIso,
-     4,
-     {{{"G71 *", 4, false, "G71 *"},
-       {"G70 *", 4, false, "G70 *"},
-       {"G71*", 4, false, "G71 *"},
-       {"G70*", 4, false, "G70 *"},
-       {"N99999999", 4, false, "N99999999"},
-       {"N9999 %", 4, false, "N9999 %"},
-       {"G98 L", 2, false, "labels (G98 L)"},
-       {"G99 T", 2, false, "tools defined by G99 T"}}}},
-    {Kind::Siemens,
-     4,
-     {{{"WORKPIECE", 4, false, "WORKPIECE"},
-       {"DEF REAL", 4, false, "DEF REAL"},
-       {"MSG", 3, false, "MSG"},
-       {";$PATH=", 4, true, ";$PATH="},
-       {"_MPF", 4, false, "a name ending in _MPF"},
-       {"SUPA", 2, false, "SUPA"},
-       {"MCALL", 4, false, "MCALL"},
-       {"EXTCALL", 4, false, "EXTCALL"},
-       {"GOTOF", 4, false, "GOTOF"},
-       {"GOTOB", 4, false, "GOTOB"},
-       {"T=\"", 4, false, "tools by name (T=\"…\")"},
-       {"TRAORI", 4, false, "TRAORI"},
-       {"ATRANS", 4, false, "ATRANS"},
-       {"AROT", 4, false, "AROT"}}}},
-    {Kind::Okuma,
-     4,
-     {{{".MIN%", 4, false, ".MIN%"},
-       {"CALL O", 4, false, "CALL O"},
-       {"MODIN", 4, false, "MODIN"},
-       {"MODOUT", 4, false, "MODOUT"},
-       {"G15 H", 3, false, "work coordinates by G15 H"},
-       {"G15H", 3, false, "work coordinates by G15 H"},
-       {"G16 H", 3, false, "work coordinates by G16 H"},
-       {"G56 H", 3, false, "tool lengths by G56 H"},
-       {"G56H", 3, false, "tool lengths by G56 H"},
-       {"NOEX", 3, false, "NOEX"},
-       {"VC1", 2, false, "common variables (VC1)"},
-       {"VZOF", 4, false, "VZOF"},
-       {"RTS", 2, false, "RTS"},
-       {"FMILH", 4, false, "FMILH"},
-       {"G116 T", 2, false, "G116 T"}}}},
-    {Kind::Isg,
-     4,
-     {{{"#SLOPE", 4, false, "#SLOPE"},
-       {"#HSC", 4, false, "#HSC"},
-       {"#SCALE", 4, false, "#SCALE"},
-       {"#CONTOUR MODE", 4, false, "#CONTOUR MODE"},
-       {"#TRAFO", 4, false, "#TRAFO"},
-       {"#CS ", 4, false, "#CS"},
-       {"#RTCP", 4, false, "#RTCP"},
-       {"#SET ", 4, false, "#SET"},
-       {"#MSG", 4, false, "#MSG"}}}},
-    {Kind::Printer,
-     5,
-     {{{"M104", 3, false, "M104 heats an extruder"},
-       {"M109", 3, false, "M109 waits for an extruder"},
-       {"M140", 3, false, "M140 heats a bed"},
-       {"M190", 3, false, "M190 waits for a bed"},
-       {"G92 E", 3, false, "G92 E"},
-       {"M82", 1, false, "M82"},
-       {"M83", 1, false, "M83"},
-       {"LAYER:", 2, true, "layers in comments"},
-       {"FILAMENT", 3, true, "filament in comments"},
-       {"SLIC3R", 4, true, "a slicer's name"}}}},
-    {Kind::Laser,
-     4,
-     {{{"LIGHTBURN", 5, true, "a comment names LightBurn"},
-       {"LASERGRBL", 5, true, "a comment names LaserGRBL"},
-       {"LASER", 3, true, "a comment speaks of a laser"},
-       {"LASER ON", 2, true, "laser on"},
-       {"LASER POWER", 2, true, "laser power"},
-       {"T2LASER", 5, true, "T2Laser"}}}},
-    {Kind::Plasma,
-     4,
-     {{{"PLASMA", 4, true, "a comment speaks of plasma"},
-       {"TORCH ON", 3, true, "torch on"},
-       {"TORCH", 2, true, "a comment speaks of a torch"},
-       {"PIERCE", 2, true, "a comment speaks of piercing"},
-       {"SHEETCAM", 2, true, "SheetCam"}}}},
-}};
+#undef NCSIM_SIGN
+static_assert(kKindSigns[0].text == "BEGIN PGM");
 
-// Indices in kKinds.
-constexpr std::size_t kHeidenhain = 0;
-constexpr std::size_t kSiemens = 2;
-static_assert(kKinds[kHeidenhain].kind == Kind::Heidenhain);
-static_assert(kKinds[kHeidenhain].signs[0].text == "BEGIN PGM");
-static_assert(kKinds[kSiemens].kind == Kind::Siemens);
+/// Kinds by precedence, each with the weight that suffices.
+constexpr std::array<std::pair<Kind, int>, 8> kEnough{{{Kind::Heidenhain, 4},
+                                                       {Kind::HeidenhainIso, 4},
+                                                       {Kind::Siemens, 4},
+                                                       {Kind::Okuma, 4},
+                                                       {Kind::Isg, 4},
+                                                       {Kind::Printer, 5},
+                                                       {Kind::Laser, 4},
+                                                       {Kind::Plasma, 4}}};
 
 constexpr bool is_capital(char c) {
     return c >= 'A' && c <= 'Z';
@@ -352,7 +218,7 @@ public:
         constexpr Letters kPlain = letters_of("NXYZF");
         constexpr Letters kPlainArcs = kPlain | letters_of("ABCIJKRS");
         Letters seen = 0;
-        const bool has_lines = (kinds_[kHeidenhain].seen >> kLinesOfKlartext & 1U) != 0;
+        const bool has_lines = (kinds_[Kind::Heidenhain].seen >> kLinesOfKlartext & 1U) != 0;
         if (is_plain(has_lines ? without_line_verb(line) : line, every ? kPlain : kPlainArcs,
                      seen)) {
             has_words_ = true;
@@ -363,10 +229,8 @@ public:
             return;
         }
         split_.split(line);
-        for (std::size_t i = 0; i < kDialects.size(); ++i)
-            add_weights(kDialects[i].signs, dialects_[i], number);
-        for (std::size_t i = 0; i < kKinds.size(); ++i)
-            add_weights(kKinds[i].signs, kinds_[i], number);
+        add_weights(kDialectSigns, dialects_, number);
+        add_weights(kKindSigns, kinds_, number);
         find_turning(number);
         find_header(number);
         find_heidenhain(number);
@@ -396,25 +260,23 @@ public:
     /// True if no further line can change the conclusion that the program is Klartext.
     bool is_certainly_klartext() const {
         constexpr int kCertain = 12;
-        return kinds_[kHeidenhain].weight >= kCertain;
+        return kinds_[Kind::Heidenhain].weight >= kCertain;
     }
 
     void conclude(DialectFindings& findings) const {
         findings.c_may_be_corner = c_like_corners_ && !c_is_axis_;
-        std::size_t best = 0;
-        for (std::size_t i = 1; i < dialects_.size(); ++i) {
-            if (dialects_[i].weight > dialects_[best].weight) best = i;
-        }
+        const Dialect best = *std::ranges::max_element(
+            kDialectList, {}, [this](Dialect dialect) { return dialects_[dialect].weight; });
         if (dialects_[best].weight >= 2) {
-            findings.dialect = kDialects[best].dialect;
+            findings.dialect = best;
             findings.evidence = dialects_[best].evidence;
         }
-        for (std::size_t i = 0; i < kKinds.size(); ++i) {
+        for (const auto& [kind, enough] : kEnough) {
             // Printers extrude (E words); heaters alone also occur on other machines.
-            if (kKinds[i].kind == Kind::Printer && !extrudes_) continue;
-            if (kinds_[i].weight >= kKinds[i].enough && findings.kind == Kind::Milling) {
-                findings.kind = kKinds[i].kind;
-                findings.kind_evidence = kinds_[i].evidence;
+            if (kind == Kind::Printer && !extrudes_) continue;
+            if (kinds_[kind].weight >= enough && findings.kind == Kind::Milling) {
+                findings.kind = kind;
+                findings.kind_evidence = kinds_[kind].evidence;
             }
         }
         // The file name decides unless the text has signs of a different control.
@@ -434,7 +296,7 @@ public:
             findings.kind_evidence = power_.evidence;
         }
         // A Klartext program may consist of calls without numbers.
-        const bool begins_klartext = (kinds_[kHeidenhain].seen & 1U) != 0;
+        const bool begins_klartext = (kinds_[Kind::Heidenhain].seen & 1U) != 0;
         if (!has_words_ && !begins_klartext) {
             findings.kind = Kind::NotAProgram;
             findings.kind_evidence = {{"no word of a letter and a number in it", 0}};
@@ -447,6 +309,13 @@ private:
         std::vector<Evidence> evidence;
         std::uint64_t seen = 0;
     };
+    /// A case for each value of an enumeration.
+    template <typename Conclusion, std::size_t kCount>
+    struct Cases {
+        std::array<Case, kCount> all;
+        Case& operator[](Conclusion of) { return all[static_cast<std::size_t>(of)]; }
+        const Case& operator[](Conclusion of) const { return all[static_cast<std::size_t>(of)]; }
+    };
 
     static void add(Case& which, std::size_t sign, int weight, std::string_view because,
                     std::uint32_t line) {
@@ -456,16 +325,19 @@ private:
         which.evidence.push_back({std::string(because), line});
     }
 
-    template <typename Signs>
-    void add_weights(const Signs& signs, Case& which, std::uint32_t line) const {
-        for (std::size_t i = 0; i < signs.size(); ++i) {
-            const Sign& sign = signs[i];
-            const Letters there = sign.in_comments ? split_.remark_letters : split_.code_letters;
-            if (sign.text.empty() || (sign.letters & ~there) != 0) continue;
-            if ((which.seen >> i & 1U) != 0) continue;
-            if (contains(sign.in_comments ? split_.remarks : split_.code, sign.text)) {
-                add(which, i, sign.weight, sign.because, line);
-            }
+    template <typename Signs, typename Cases>
+    void add_weights(const Signs& signs, Cases& cases, std::uint32_t line) const {
+        std::size_t number = 0;  // Number of the sign among the signs of one conclusion.
+        for (std::size_t i = 0; i < std::size(signs); ++i) {
+            const auto& sign = signs[i];
+            number = i > 0 && signs[i - 1].of == sign.of ? number + 1 : 0;
+            const bool in_comments = sign.place == Place::Comment;
+            const Letters there = in_comments ? split_.remark_letters : split_.code_letters;
+            if ((sign.letters & ~there) != 0) continue;
+            Case& which = cases[sign.of];
+            if ((which.seen >> number & 1U) != 0) continue;
+            if (contains(in_comments ? split_.remarks : split_.code, sign.text))
+                add(which, number, sign.weight, sign.because, line);
         }
     }
 
@@ -530,7 +402,7 @@ private:
         if (at < code.size() && (code[at] == '+' || code[at] == '-')) ++at;
         if (at >= code.size() || (code[at] != 'Q' && code[at] != '.' && !is_digit(code[at])))
             return;  // "C X-axis to the left" is prose.
-        add(kinds_[kHeidenhain], kLinesOfKlartext, 4, "lines like L X+10 and CC X+10", line);
+        add(kinds_[Kind::Heidenhain], kLinesOfKlartext, 4, "lines like L X+10 and CC X+10", line);
     }
 
     /// Counts values after "=", as on Siemens: "G1 X=AC(20)", "CR=5", "R1=10". In other languages
@@ -548,13 +420,13 @@ private:
             if (before.empty()) continue;
             const bool numbered = is_digit(before.back());
             if (numbered && (before[0] == 'R' || before[0] == 'S') && is_digit(before[1])) {
-                add(kinds_[kSiemens], 40, 4, "values of parameters (R1=…)", line);
+                add(kinds_[Kind::Siemens], 40, 4, "values of parameters (R1=…)", line);
             } else if (before == "CR" || before == "RND" || before == "CHF" || before == "CHR" ||
                        before == "ANG") {
-                add(kinds_[kSiemens], 41, 4, std::string(before) + "=", line);
+                add(kinds_[Kind::Siemens], 41, 4, std::string(before) + "=", line);
             } else if (before.size() == 1 && has_g &&
                        std::string_view("XYZABCIJKF").find(before[0]) != std::string_view::npos) {
-                add(kinds_[kSiemens], 42, 4, "values behind = (X=…)", line);
+                add(kinds_[Kind::Siemens], 42, 4, "values behind = (X=…)", line);
             }
         }
     }
@@ -566,7 +438,7 @@ private:
         const std::size_t text = split_.remarks.find_first_not_of("( ");
         if (last != std::string::npos && last >= 2 && code.compare(last - 2, 3, "MSG") == 0 &&
             text != std::string::npos && split_.remarks[text] == '"') {
-            add(kinds_[kSiemens], 44, 4, "messages as MSG(\"…\")", line);
+            add(kinds_[Kind::Siemens], 44, 4, "messages as MSG(\"…\")", line);
         }
         for (const std::string_view name : {"CYCLE", "POCKET", "HOLES", "SLOT"}) {
             const std::size_t at = code.find(name);
@@ -576,7 +448,7 @@ private:
             const bool ends = end == std::string::npos || code[end] == ' ' || code[end] == '\r';
             if (starts && ends && at + name.size() < code.size() &&
                 is_digit(code[at + name.size()])) {
-                add(kinds_[kSiemens], 43, 4, code.substr(at, std::min(end, code.size()) - at),
+                add(kinds_[Kind::Siemens], 43, 4, code.substr(at, std::min(end, code.size()) - at),
                     line);
             }
         }
@@ -586,7 +458,7 @@ private:
     /// X10"), its keywords, and G codes that other controls lack.
     void find_siemens(std::uint32_t line) {
         const std::string_view code = split_.code;
-        Case& siemens = kinds_[kSiemens];
+        Case& siemens = kinds_[Kind::Siemens];
         std::size_t at = code.find_first_not_of(" \t");
         if (at == std::string_view::npos) return;
         if (code[at] == 'N' && at + 1 < code.size() && is_digit(code[at + 1])) {
@@ -716,14 +588,14 @@ private:
         if (code.find("SUB") != std::string::npos) return;
         const std::size_t end = std::min(code.find_first_not_of("0123456789", 1), code.size());
         const std::string number = code.substr(0, std::min<std::size_t>(end, 12));
-        add(dialects_[1], 60, 2, "the program number " + number, line);
+        add(dialects_[Dialect::Fanuc], 60, 2, "the program number " + number, line);
     }
 
     bool is_named_siemens_ = false;
     bool has_iso_codes_ = false;
     SplitLine split_;
-    std::array<Case, kDialects.size()> dialects_;
-    std::array<Case, kKinds.size()> kinds_;
+    Cases<Dialect, kDialectList.size()> dialects_;
+    Cases<Kind, static_cast<std::size_t>(Kind::NotAProgram)> kinds_;
     Case turning_, power_;
     bool has_y_ = false;
     bool has_xz_ = false;

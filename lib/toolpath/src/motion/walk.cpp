@@ -147,24 +147,15 @@ std::vector<Linear> legs_of(const Linear& rapid, const RapidPath& path) {
     return legs;
 }
 
-Walk::Walk(const cda::Lattice& lattice, const Box& stock, const ToolAccuracy& accuracy,
-           const SamplingOptions& sampling, RapidPath rapid, const WatchedParts& watch,
-           std::shared_ptr<const Kinematics> specified)
-    : lattice_(lattice),
-      stock_(stock),
-      accuracy_(accuracy),
-      sampling_(sampling),
-      rapid_(rapid),
-      watch_(watch),
-      specified_(std::move(specified)),
-      place_(stock) {
+Walk::Walk(const cda::Lattice& lattice, const Box& stock, WalkOptions options)
+    : lattice_(lattice), stock_(stock), options_(std::move(options)), place_(stock) {
     // Facets may be left out for the part of the allowed gain that steps do not use. Because the
     // number of steps is an integer, more than the least share remains, as a rule.
     constexpr double kLeast = 0.02, kMost = 0.3;
-    gain_mm_ = sampling.rotation_gain_mm;
+    gain_mm_ = options_.sampling.rotation_gain_mm;
     slack_mm_ = kMost * gain_mm_;
-    sampling_.rotation_gain_mm -= kLeast * gain_mm_;
-    place_.add(watch.place);
+    options_.sampling.rotation_gain_mm -= kLeast * gain_mm_;
+    place_.add(options_.watch.place);
 }
 
 const Cutter& Walk::add_tool(int number, const Tool& tool) {
@@ -173,10 +164,11 @@ const Cutter& Walk::add_tool(int number, const Tool& tool) {
     // Tools of the same shape share a polytope, which takes milliseconds to find.
     const auto same = std::ranges::find_if(
         tools_, [&](const auto& known) { return known.second.pieces == tool.pieces; });
-    Cutter cutter = same != tools_.end() ? same->second.cutter : Cutter(tool, lattice_, accuracy_);
+    Cutter cutter =
+        same != tools_.end() ? same->second.cutter : Cutter(tool, lattice_, options_.accuracy);
     ToolExtent followed = cutter.extent();
     for (const ToolPiece& piece : tool.pieces) {
-        if (!piece.cutting && watch_.shanks) followed.pieces.push_back(extent_of(piece));
+        if (!piece.cutting && options_.watch.shanks) followed.pieces.push_back(extent_of(piece));
     }
     return tools_
         .try_emplace(number, ToolData{std::move(cutter), std::move(followed), tool.pieces,
@@ -210,7 +202,8 @@ void Walk::trace(ToolData& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin
     is_near_ = stock_.overlaps(bounds);
     if (!is_near_ || (region_ && !region_->overlaps(bounds))) return;
     const Vec3 up{0, 0, 1};
-    if (prefers_sweeps_ && !tool.round.empty() && axis_of(X_WA) == up && axis_of(X_WB) == up) {
+    if (options_.prefers_sweeps && !tool.round.empty() && axis_of(X_WA) == up &&
+        axis_of(X_WB) == up) {
         for (cda::RoundSweep sweep : tool.round) {
             sweep.origin = origin;
             for (const auto& [end, pose] : {std::pair{&sweep.from, &X_WA}, {&sweep.to, &X_WB}}) {
@@ -232,7 +225,7 @@ void Walk::at_end_position(const gcode::Motion& motion, cda::Origin origin,
     const auto found = tools_.find(motion.tool);
     const gcode::Position* end = end_of(motion);
     if (found == tools_.end() || !end || has_known_start(motion) || !has_known_end(motion)) return;
-    const Pose X_WT = Poses(specified_.get(), motion).at(*end);
+    const Pose X_WT = Poses(options_.specified.get(), motion).at(*end);
     trace(found->second, X_WT, X_WT, origin, {});
     step({X_WT, X_WT, cells_, {}, {}, sweeps_, is_near_, {}, {}});
 }
@@ -254,7 +247,7 @@ bool Walk::stays_outside_region(const ToolData& tool, const gcode::Motion& motio
 // run, and preceding_cells_ gets the cells of the run as a whole.
 void Walk::extend_line_run(ToolData& tool, const gcode::Motion& motion, const Pose& X_WA,
                            const Pose& X_WB, cda::Origin origin) {
-    if (!merges_cells_ || prefers_sweeps_ || motion.kind != gcode::MoveKind::Feed)
+    if (!options_.merges_cells || options_.prefers_sweeps || motion.kind != gcode::MoveKind::Feed)
         return end_line_run();
     const cda::LatticePoint from = lattice_.round(X_WA.translation);
     const cda::LatticePoint to = lattice_.round(X_WB.translation);
@@ -308,7 +301,8 @@ bool Walk::extend_arc_run(const Cutter& cutter, const gcode::Motion& motion) {
     const auto* arc = std::get_if<gcode::Arc>(&motion.action);
     const bool is_level = arc && arc->plane == gcode::Plane::XY && !arc->tilted;
     const PolarArc p = is_level ? polar(*arc) : PolarArc{};
-    if (!merges_cells_ || !is_level || prefers_sweeps_ || p.start_radius >= cutter.radius_mm()) {
+    if (!options_.merges_cells || !is_level || options_.prefers_sweeps ||
+        p.start_radius >= cutter.radius_mm()) {
         arc_run_.way.clear();
         return false;
     }
@@ -347,7 +341,8 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     ToolData& tool = found->second;
     merged_cells_.clear();
     preceding_cells_.clear();
-    if (const Linear* linear = specified_ || rapid_.dog_leg ? nullptr : straight_upright(motion)) {
+    if (const Linear* linear =
+            options_.specified || options_.rapid.dog_leg ? nullptr : straight_upright(motion)) {
         const Pose X_WA{upright_, linear_axes(linear->from)};
         const Pose X_WB{upright_, linear_axes(linear->to)};
         if (X_WA == X_WB) return {};
@@ -359,12 +354,12 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
         step({X_WA, X_WB, cells_, merged_cells_, preceding_cells_, sweeps_, is_near_, {}, turning});
         return {};
     }
-    const bool has_legs = rapid_.dog_leg && motion.kind == gcode::MoveKind::Rapid;
+    const bool has_legs = options_.rapid.dog_leg && motion.kind == gcode::MoveKind::Rapid;
     Cutter& cutter = tool.cutter;
     end_line_run();
     const bool goes_round = extend_arc_run(cutter, motion);
     if (skips_motions_ && !has_legs && !goes_round && start_of(motion)) {
-        const Poses poses(specified_.get(), motion);
+        const Poses poses(options_.specified.get(), motion);
         const Pose X_WA = poses.at(*start_of(motion)), X_WB = poses.at(*end_of(motion));
         if (stays_outside_region(tool, motion, poses, X_WA, X_WB)) {
             step({X_WA, X_WB, {}, merged_cells_, preceding_cells_, {}, false, {}, {}});
@@ -375,11 +370,12 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     // The bounds hold for round tools. The hulls of the polytopes deviate from the round tools by
     // this margin.
     const Box place =
-        grow_box(place_, std::max(accuracy_.tolerance_mm, cutter.error_mm()) + slack_mm_);
+        grow_box(place_, std::max(options_.accuracy.tolerance_mm, cutter.error_mm()) + slack_mm_);
 
     SampleBounds worst;
     const auto walk = [&](const gcode::Motion& part) {
-        Samples samples = sample(part, followed, sampling_, place, specified_.get());
+        Samples samples =
+            sample(part, followed, options_.sampling, place, options_.specified.get());
         SweepSimplification liberties = simplification_of(samples.turning);
         // A rapid move is followed without slack, so it does not meet material where a cut has
         // been.
@@ -405,11 +401,11 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
 
     const auto* linear = std::get_if<Linear>(&motion.action);
     const bool of_tip = motion.coordinates == gcode::Coordinates::Tip;
-    if (!linear || motion.kind != gcode::MoveKind::Rapid || !rapid_.dog_leg || of_tip) {
+    if (!linear || motion.kind != gcode::MoveKind::Rapid || !options_.rapid.dog_leg || of_tip) {
         walk(motion);
         return worst;
     }
-    for (const Linear& leg : legs_of(*linear, rapid_)) {
+    for (const Linear& leg : legs_of(*linear, options_.rapid)) {
         gcode::Motion part = motion;
         part.action = leg;
         walk(part);

@@ -3,18 +3,16 @@
 // Search for the cheapest stack of rings that approximates a profile.
 #include "polytope/ring_walk.h"
 
-#include "ncsim/base/angles.h"
 #include "ncsim/base/vec2.h"
 #include "ncsim/cda/lattice.h"
 
 #include "polytope/integer_rounding.h"
+#include "polytope/profile_fillet.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 namespace ncsim::toolpath {
@@ -29,59 +27,6 @@ constexpr double kUpright = 1e-9;
 // A unit, by which heights are rounded, plus the rounding of doubles.
 constexpr double kAlmost = 1 + 1e-6;
 constexpr int kMaxRings = 512;  // per rounded corner
-
-// A rounded corner: the disc of radius rho about `centre` touches the line along d1 at `start` and
-// the line along d2 at `end`.
-struct Fillet {
-    Vec centre, start, end, d1, d2;
-    double rho = 0.0;
-    double turn_degrees = 0.0;
-};
-
-Fillet fillet_of(Vec before, Vec corner, Vec after, double rho) {
-    Fillet f;
-    f.d1 = normalized(corner - before);
-    f.d2 = normalized(after - corner);
-    f.rho = rho;
-    f.turn_degrees = angle_of(dot(f.d1, f.d2), cross(f.d1, f.d2));
-    const double leg = rho * cross(f.d1, f.d2) / (1 + dot(f.d1, f.d2));
-    f.start = corner - leg * f.d1;
-    f.end = corner + leg * f.d2;
-    f.centre = f.start + rho * left_normal(f.d1);
-    return f;
-}
-
-// Converts the profile's points to lattice units.
-std::vector<Vec> corners_of(const std::vector<ProfilePoint>& profile, double unit_mm) {
-    std::vector<Vec> points;
-    points.reserve(profile.size());
-    for (const ProfilePoint& p : profile)
-        points.push_back({p.radius / unit_mm, p.height / unit_mm});
-    return points;
-}
-
-// Neighbours of a corner. Discs close the profile, so its first and last lines start on the axis.
-Vec previous_point(const std::vector<Vec>& points, std::size_t i) {
-    return i > 0 ? points[i - 1] : Vec{0, points[i].y};
-}
-Vec next_point(const std::vector<Vec>& points, std::size_t i) {
-    return i + 1 < points.size() ? points[i + 1] : Vec{0, points[i].y};
-}
-
-std::vector<Fillet> fillets_of(const std::vector<ProfilePoint>& profile, double unit_mm) {
-    const std::vector<Vec> points = corners_of(profile, unit_mm);
-    std::vector<Fillet> fillets;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (profile[i].fillet <= 0) continue;
-        fillets.push_back(fillet_of(previous_point(points, i), points[i], next_point(points, i),
-                                    profile[i].fillet / unit_mm));
-    }
-    return fillets;
-}
-
-double turning_angle(const Fillet& f, Vec d) {
-    return angle_of(dot(f.d1, d), cross(f.d1, d));
-}
 
 // A walk up to a ring.
 struct Step {
@@ -98,25 +43,6 @@ struct Step {
     bool has_ring = false;
     bool is_divisible = false;  // the scale is a multiple of kDivisors
 };
-
-// Costs of edges, in facets.
-struct EdgeCosts {
-    double long_direction = 0.0;  // an edge with a long direction
-    // A radian between the normals of two facets at the tip. At other slopes the fourth power of
-    // the cosine between normal and axis is a factor (mean_excess).
-    double visible_turn = 0.0;
-};
-
-// Fair tools cut parts that are written. Circumscribed tools mostly decide contacts; for these, the
-// number of facets counts, and edges decide between equal numbers.
-EdgeCosts edge_costs(Side side) {
-    switch (side) {
-        case Side::Fair: return {1.0, 6.0};
-        case Side::Circumscribed: return {1.0 / 16, 0.5};
-        case Side::Inscribed: break;
-    }
-    return {};
-}
 
 // Scales of coarser rings are also tried at multiples of this number, with many divisors that the
 // scale of the next ring may share.
@@ -149,7 +75,7 @@ public:
         : family_(family),
           side_(side),
           seeks_short_directions_(side != Side::Inscribed && !limits.turns),
-          edge_costs_(seeks_short_directions_ ? edge_costs(side) : EdgeCosts{}),
+          costs_(family, side, seeks_short_directions_),
           limits_(limits),
           tolerance_(std::max(band.inside, band.outside)),
           inset_(band.inside > 0 ? band.inside - 1 - kAlmost : 0.0),
@@ -171,8 +97,8 @@ public:
         const std::vector<Vec> points = corners_of(profile, unit_mm);
         // Parts show the floors of flat ends, not their rims. Balls that are round above, too, cut
         // few surfaces.
-        if (profile.front().fillet < profile.front().radius) edge_costs_.visible_turn = 0.0;
-        if (profile.back().fillet > 0) edge_costs_ = {};
+        if (profile.front().fillet < profile.front().radius) costs_.ignore_slopes();
+        if (profile.back().fillet > 0) costs_.count_facets_only();
         for (std::size_t i = 0; i < profile.size(); ++i) {
             const Vec from = previous_point(points, i);
             const Vec to = next_point(points, i);
@@ -238,60 +164,12 @@ private:
         return {height, 1};
     }
 
-    int facets_of_strip(const Ring& below, const Ring& above) const {
-        const int sides = family_[below.polygon].sides, other_sides = family_[above.polygon].sides;
-        if (below.scale == 0) return above.scale == 0 ? 0 : other_sides;
-        return above.scale == 0 ? sides : facets_between(sides, other_sides);
-    }
-
-    // Returns the cost of the strip between two rings. It has as many edges as facets. Around the
-    // axis the normals of the strip turn by 2π sin φ, where φ is the angle of its slope.
-    double strip_cost(const Ring& below, const Ring& above) const {
-        const int facets = facets_of_strip(below, above);
-        if (!seeks_short_directions_) return facets;
-        const double long_edges = has_short_directions(below, above) ? 0.0 : facets;
-        const Vec along =
-            normalized(Vec2{static_cast<double>(above.scale) * family_[above.polygon].inner -
-                                static_cast<double>(below.scale) * family_[below.polygon].inner,
-                            static_cast<double>(above.height - below.height)});
-        const double turn = 2 * std::numbers::pi * std::abs(along.y);
-        return facets + edge_costs_.long_direction * long_edges + visible_cost(along, turn);
-    }
-
-    // Returns the cost of an angle (radians) between normals at the slope `along`.
-    double visible_cost(Vec along, double turn) const {
-        if (along.x <= 0) return 0.0;  // no finished part shows the upper side
-        return edge_costs_.visible_turn * along.x * along.x * along.x * along.x * turn;
-    }
-
-    // True if the edges between two rings have short directions. Decided by one edge, because the
-    // lengths differ little.
-    bool has_short_directions(const Ring& below, const Ring& above) const {
-        const auto& [x, y] = family_[below.polygon].corners[0];
-        const auto& [u, v] = family_[above.polygon].corners[0];
-        const std::int64_t dx = above.scale * u - below.scale * x;
-        const std::int64_t dy = above.scale * v - below.scale * y;
-        const std::int64_t dz = above.height - below.height;
-        const auto common = static_cast<double>(std::gcd(scale_step(below, above), dz));
-        if (dx == 0 && dy == 0) return true;
-        const double x2 = static_cast<double>(dx) * static_cast<double>(dx);
-        const double y2 = static_cast<double>(dy) * static_cast<double>(dy);
-        const double z2 = static_cast<double>(dz) * static_cast<double>(dz);
-        return std::sqrt(x2 + y2 + z2) <= kShortDirection * common;
-    }
-
-    // Returns the common factor of the horizontal components of all edges between two rings.
-    static std::int64_t scale_step(const Ring& below, const Ring& above) {
-        const bool is_cone = below.polygon == above.polygon || below.scale == 0 || above.scale == 0;
-        return is_cone ? std::abs(above.scale - below.scale) : std::gcd(above.scale, below.scale);
-    }
-
     // Returns `height` for a ring on the line along d, moved outwards to a multiple of the step of
     // the scales, or of a divisor of this step, above the ring below.
     double snap_height(const Step& under, std::size_t polygon, std::int64_t scale, double height,
                        Vec d) const {
         if (!seeks_short_directions_ || !under.has_ring || std::abs(d.x) <= kUpright) return height;
-        const std::int64_t step = scale_step(under.ring, {polygon, scale, 0});
+        const std::int64_t step = StripCosts::scale_step(under.ring, {polygon, scale, 0});
         if (step <= 1) return height;
         std::int64_t factor = std::min(step, most_moved_);
         while (step % factor != 0)
@@ -317,7 +195,7 @@ private:
         step.corners = under.corners + (scale == 0 ? 1 : sides);
         step.rings = under.rings + 1;
         step.is_divisible = seeks_short_directions_ && polygon != 0 && scale % kDivisors == 0;
-        step.cost = under.cost + (under.has_ring ? strip_cost(under.ring, step.ring) : 0.0);
+        step.cost = under.cost + (under.has_ring ? costs_.strip(under.ring, step.ring) : 0.0);
         steps_.push_back(step);
         return static_cast<int>(steps_.size()) - 1;
     }
@@ -471,7 +349,7 @@ private:
         const double under = half * half - (dot(u, u) - reach * reach) / dot(v, v);
         if (under <= 0) return;
         const double t = -half + std::sqrt(under);
-        const double end = intersect_profile(f, from, d).x;
+        const double end = f.meet_end_line(from, d).x;
         const double radius =
             d.x > 0 ? std::min(from.x + t * d.x, end) : std::max(from.x + t * d.x, end);
         if (radius <= 0) return;
@@ -523,7 +401,7 @@ private:
             const std::int64_t s = nearer_multiple(scale, under.scale / parts, d);
             if (s <= 0 || (best > 0 && (d.x > 0 ? s <= best : s >= best))) continue;
             const auto height = static_cast<std::int64_t>(point_on_tangent(step, polygon, s).y);
-            if (has_short_directions(under, {polygon, s, height})) best = s;
+            if (costs_.has_short_directions(under, {polygon, s, height})) best = s;
         }
         return best;
     }
@@ -554,8 +432,8 @@ private:
         if (dot(p - f.centre, d) <= 0) return false;
         Vec next = tangent_from(f, p);
         // The end is nearer.
-        if (inset_ > 0 && turning_angle(f, next) >= f.turn_degrees) next = normalized(f.end - p);
-        const double degrees = turning_angle(f, next);
+        if (inset_ > 0 && f.angle_to(next) >= f.turn_degrees) next = normalized(f.end - p);
+        const double degrees = f.angle_to(next);
         if (degrees <= at(step).turned_degrees || degrees >= f.turn_degrees) return false;
         const double error = std::max(f.rho - contact_radius(f), excess_of(f, p, polygon)) + 1;
         if (error > tolerance_) return false;
@@ -573,17 +451,11 @@ private:
         made.turned_degrees = degrees;
         if (!seeks_short_directions_) return;
         const double turn = (degrees - at(made.before).turned_degrees) * (std::numbers::pi / 180);
-        made.cost += visible_cost(d, family_[made.ring.polygon].sides * turn);
+        made.cost += costs_.visible(d, family_[made.ring.polygon].sides * turn);
     }
 
     static double round_inward(double height, const Fillet& f) {
         return static_cast<double>(height > f.centre.y ? round_down(height) : round_up(height));
-    }
-
-    // Returns the intersection of the line from a point and the line on which the profile
-    // continues.
-    static Vec intersect_profile(const Fillet& f, Vec from, Vec d) {
-        return from + (cross(f.end - from, f.d2) / cross(d, f.d2)) * d;
     }
 
     // Returns the radius of the arc that the facets touch.
@@ -618,7 +490,7 @@ private:
     void end_tangents(const Fillet& f, int step, std::size_t polygon, std::vector<int>& there) {
         const Vec from = at(step).at;
         Vec d = at(step).d;
-        Vec meeting = intersect_profile(f, from, d);
+        Vec meeting = f.meet_end_line(from, d);
         // The tangent of a smaller arc may lie inside the line that follows. The start of that line
         // is then the limit.
         if (inset_ > 0 && dot(meeting - f.end, f.d2) > 0) {
@@ -686,7 +558,7 @@ private:
         // Small arcs may be skipped completely.
         const bool is_near = within <= f.rho - contact_radius(f);
         const Vec d = is_near ? tangent_from(f, side) : normalized(f.end - side);
-        walk_line(ring, side, d, std::max(kBegun, turning_angle(f, d)));
+        walk_line(ring, side, d, std::max(kBegun, f.angle_to(d)));
         coming.admit(*this, ring);
     }
 
@@ -714,7 +586,7 @@ private:
     const std::vector<RingPolygon>& family_;
     Side side_;
     bool seeks_short_directions_;
-    EdgeCosts edge_costs_;
+    StripCosts costs_;
     StackLimits limits_;
     double tolerance_;
     double inset_;              // largest depth of facets within the arc
@@ -734,47 +606,6 @@ std::optional<RingStack> ring_stack(const ToolPiece& piece, const std::vector<Ri
                                     Side side, double unit_mm, const ToleranceBand& band,
                                     const StackLimits& limits) {
     return Walks(family, side, band, limits)(piece.profile, unit_mm);
-}
-
-double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& family,
-                   const std::vector<Ring>& rings, double unit_mm) {
-    constexpr std::size_t kAround = 16;  // samples of an eighth; the rest is symmetric
-    constexpr int kAlong = 64;           // samples of each arc
-    std::vector<std::array<double, kAround>> reaches;  // reaches of the polygons by direction
-    for (const RingPolygon& polygon : family) {
-        auto& reach = reaches.emplace_back();
-        for (std::size_t i = 0; i < kAround; ++i) {
-            const SinCos a = sin_cos((static_cast<double>(i) + 0.5) * 45.0 / kAround);
-            for (const auto& [x, y] : polygon.corners) {
-                reach[i] = std::max(
-                    reach[i], a.cos * static_cast<double>(x) + a.sin * static_cast<double>(y));
-            }
-        }
-    }
-    double sum = 0.0, area = 0.0;
-    for (const Fillet& f : fillets_of(piece.profile, unit_mm)) {
-        const Vec out = -1.0 * left_normal(f.d1);
-        for (int k = 0; k < kAlong; ++k) {
-            const SinCos a = sin_cos((k + 0.5) * f.turn_degrees / kAlong);
-            const Vec n = a.cos * out + a.sin * left_normal(out);
-            if (n.y >= 0) break;
-            const double seen = n.y * n.y * n.y * n.y;
-            const double weight = seen * f.turn_degrees * f.rho * (f.centre.x + f.rho * n.x);
-            double mean = 0.0;
-            for (std::size_t i = 0; i < kAround; ++i) {
-                double reach = -std::numeric_limits<double>::infinity();
-                for (const Ring& ring : rings) {
-                    reach = std::max(
-                        reach, n.x * static_cast<double>(ring.scale) * reaches[ring.polygon][i] +
-                                   n.y * static_cast<double>(ring.height));
-                }
-                mean += reach / kAround;
-            }
-            sum += weight * (mean - dot(n, f.centre) - f.rho);
-            area += weight;
-        }
-    }
-    return area > 0 ? sum / area : 0.0;
 }
 
 }  // namespace ncsim::toolpath

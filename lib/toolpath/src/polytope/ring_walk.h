@@ -7,27 +7,13 @@
 #include "ncsim/toolpath/tool.h"
 
 #include "polytope/ring_polygon.h"
+#include "polytope/strip_costs.h"
 
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
 
 namespace ncsim::toolpath {
-
-/// Largest length of a short edge direction, in units, after division by the common factor of its
-/// components. The walls of a tool that moves by t have normals e × t for edge directions e. If |e|
-/// |t| < 2^24 (cda::kNormalBits), these normals are exact, and the walls of successive moves meet
-/// in the edge. Rounded normals leave slivers of nanometres along each edge. 1,400 suffices for
-/// moves up to 12 mm with three decimals.
-inline constexpr double kShortDirection = 1400.0;
-
-/// A horizontal section of the polytope.
-struct Ring {
-    std::size_t polygon = 0;  ///< index in the family
-    std::int64_t scale = 0;   ///< multiple of the polygon; 0 for a tip
-    std::int64_t height = 0;
-};
 
 /// Rings of a polytope, with its cost and error.
 struct RingStack {
@@ -64,12 +50,5 @@ struct StackLimits {
 std::optional<RingStack> ring_stack(const ToolPiece& piece, const std::vector<RingPolygon>& family,
                                     Side side, double unit_mm, const ToleranceBand& band,
                                     const StackLimits& limits);
-
-/// Returns how much farther the polytope reaches than the round tool, in lattice units, on average
-/// over the lower sides of rounded corners, weighted by the fourth power of the cosine between
-/// normal and axis, because rounded tools finish gentle slopes. The average is taken over a grid of
-/// normals. Cost: O(rings).
-double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& family,
-                   const std::vector<Ring>& rings, double unit_mm);
 
 }  // namespace ncsim::toolpath

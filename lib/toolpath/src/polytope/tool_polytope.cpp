@@ -8,6 +8,7 @@
 #include "ncsim/toolpath/tool_polytope.h"
 
 #include "polytope/integer_rounding.h"
+#include "polytope/mean_excess.h"
 #include "polytope/ring_polygon.h"
 #include "polytope/ring_walk.h"
 

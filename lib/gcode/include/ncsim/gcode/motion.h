@@ -124,6 +124,9 @@ struct KnownAxes {
     bool x = true, y = true, z = true;
     bool all() const { return x && y && z; }
     bool any() const { return x || y || z; }
+    /// Returns the value of `axis` (0: X, 1: Y, 2: Z).
+    bool& operator[](std::size_t axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+    bool operator[](std::size_t axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
     bool operator==(const KnownAxes&) const = default;
 };
 

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The state of a control between two blocks, as a value: a copy restores the state.
-//
-// Numbers that a program can write are stored as written, in *program coordinates* and in the
-// active units, so the numbers stay exact until motions are made:
-//
-//     machine = rotate_z(rotation) * (plane * (position + offset_92) + outer_92) + work_offset +
-//               tool_offset
-//               + carried
 #pragma once
 
-#include "ncsim/gcode/feature_frame.h"
+#include "ncsim/gcode/frame_stack.h"
 #include "ncsim/gcode/motion.h"
 
 #include <array>
@@ -19,18 +12,8 @@
 
 namespace ncsim::gcode {
 
-/// Values of X Y Z A B C U V W: lengths in active units (or mm, where stated), angles in degrees.
-using Axes = std::array<double, 9>;
-
 /// A G code, with the names of src/control/codes.def. Value: ten times the number; -1: none.
 enum class Code : std::int16_t;
-
-/// Index of an axis in Axes.
-enum Axis : std::uint8_t { kX, kY, kZ, kA, kB, kC, kU, kV, kW };
-
-constexpr bool is_rotary(std::size_t axis) {
-    return axis >= kA && axis <= kC;
-}
 
 /// Side of the programmed path on which the cutter moves (G41, G42).
 enum class CutterSide : std::uint8_t { Off, Left, Right };
@@ -57,18 +40,6 @@ struct DefinedCycle {
 };
 /// Number of a subprogram that MCALL calls after each move.
 inline constexpr int kModalProgram = -1'000'000;
-
-/// G68, G51 and G16 of Fanuc and similar controls: transformation of programmed coordinates,
-/// applied first.
-struct ProgrammedTransform {
-    bool rotated = false, scaled = false, polar = false;
-    Plane plane = Plane::XY;  ///< Plane of G68 and G16.
-    double angle = 0.0;       ///< Degrees, G68.
-    double centre_1 = 0.0, centre_2 = 0.0;
-    std::array<double, 3> scale{1.0, 1.0, 1.0};  ///< G51; a negative factor mirrors.
-    std::array<double, 3> scale_centre{};
-    bool operator==(const ProgrammedTransform&) const = default;
-};
 
 /// Reference of a coordinate system's origin for each axis (X, Y, Z). 0: the machine; any nonzero
 /// number: an unknown position with that number. The distance between two systems is known along
@@ -138,12 +109,9 @@ struct MachineState {
     Coordinates chosen = Coordinates::Axes;  ///< Meaning of X, Y and Z while no plane is tilted.
     bool tip_by_length = false;              ///< Chosen by G43.4.
     bool by_vector = false;                  ///< G43.5: I, J and K are the direction of the tool.
-    /// Tilted working plane: frame of program coordinates, active units.
-    std::optional<FeatureFrame> plane_frame;
-    std::array<double, 3> outer_92{};  ///< Value of offset_92 outside of the plane; X, Y, Z.
-    std::array<bool, 3> clamped{};     ///< A, B and C are clamped.
+    std::array<bool, 3> clamped{};           ///< A, B and C are clamped.
     /// G12.1 (polar interpolation): X and C are positions in the plane normal to the axis of C, in
-    /// a separate plane_frame.
+    /// a separate tilt of `frames`.
     struct PolarInterpolation {
         double angle = 0.0;       ///< Direction of the frame's X axis on the part, degrees.
         double start = 0.0;       ///< Position of C at G12.1, degrees.
@@ -159,24 +127,16 @@ struct MachineState {
         bool operator==(const Cylinder&) const = default;
     };
     std::optional<Cylinder> cylinder;
-    /// G254, G54.2, G54.4: displacement of the zero of the system with the table, in machine
-    /// coordinates, active units.
-    std::optional<std::array<double, 3>> dynamic_offset;
-    /// G54.2 and G54.4: `dynamic_offset` with all rotary axes at 0.
-    std::array<double, 3> dynamic_offset_home{};
-    int table_offset = 0;           ///< Number of the offset (P); 0: none.
+    int table_offset = 0;           ///< G54.2, G54.4: number of the offset (P); 0: none.
     bool is_setting_error = false;  ///< The offset is a setting error (G54.4).
 
     // Places
-    Axes position{};     ///< Position of the controlled point, program coordinates.
-    Axes work_offset{};  ///< Origin of the active system.
-    Axes offset_92{};    ///< G92 and G52.
-    Axes tool_offset{};  ///< G43.
+    Axes position{};  ///< Position of the controlled point, program coordinates.
+    FrameStack frames;
     /// Number of changes of the tip's position without a motion: a new tool length, a new meaning
     /// of X, Y and Z, a new start position.
     std::uint32_t length_changes = 0;
-    double rotation = 0.0;  ///< Rotation of the active system, degrees.
-    OriginFrame frame{};    ///< Reference of the active system.
+    OriginFrame frame{};  ///< Reference of the active system.
     /// References in which the positions of X, Y and Z are known: the reference of the system that
     /// was active when the axis last moved, or kMachinePlace.
     OriginFrame place_frame{};
@@ -190,17 +150,18 @@ struct MachineState {
     KnownAxes relative{false, false, false};
     /// Axes of `known` that are at a position of the machine unknown in the active system.
     KnownAxes of_machine{false, false, false};
-    /// Part of offset_92 by which G92 set the position of an axis whose position was unknown. This
-    /// part defines the program zero; it is not a shift of the zero.
-    Axes zero_92{};
-    std::array<bool, 3> is_zero_by_hand{};  ///< X, Y, Z of zero_92 are set, to 0 or another value.
-    std::array<double, 2> last_pq{};        ///< P and Q of the last G5.
+    std::array<double, 2> last_pq{};  ///< P and Q of the last G5.
 
-    ProgrammedTransform programmed;
     CycleState cycle;
     DefinedCycle defined_cycle;
 
     double unit_mm() const { return inches ? 25.4 : 1.0; }
+    /// Returns `position` in machine coordinates.
+    Axes machine_position() const { return frames.to_machine(position); }
+    /// Returns `position` in the coordinates of the program: rotation, scale and mirror images are
+    /// removed.
+    Axes programmed_position() const { return frames.programmed.remove(position); }
+    bool is_known(std::size_t axis) const { return axis > kZ || known[axis]; }
     bool operator==(const MachineState&) const = default;
 };
 

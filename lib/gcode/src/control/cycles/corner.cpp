@@ -6,8 +6,9 @@
 // next line. Each such line is held back because the end depends on the next line.
 #include "ncsim/base/angles.h"
 
+#include "control/cycles/cycle_steps.h"
 #include "control/cycles/fillet.h"
-#include "control/machine.h"
+#include "control/paths/path_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,53 +20,16 @@ namespace {
 /// Rounding tolerance of lengths, in program units.
 constexpr double kCornerRounding = 1e-9;
 
-}  // namespace
-
-/// True for G1 with axis words that no other code of the block uses.
-bool Machine::is_line(const Command& command) const {
-    const Code named = command.group(Group::Motion);
-    if ((named == Code::None ? state_.motion : named) != Code::G1 || !command.axis_words)
-        return false;
-    for (const Group group : {Group::OneShot, Group::Rotation, Group::Scaling, Group::Mirror,
-                              Group::Macro, Group::Pocket, Group::HolePattern}) {
-        if (command.group(group) != Code::None) return false;
-    }
-    return command.group(Group::ToolLength) != Code::G43_1;
-}
-
 /// True for a line, and for an arc on controls that round corners at arcs.
-bool Machine::is_element(const Command& command) const {
-    if (is_line(command)) return true;
-    const Code named = command.group(Group::Motion);
-    const Code motion = named == Code::None ? state_.motion : named;
-    return rules_.rounds_arcs && (motion == Code::G2 || motion == Code::G3) &&
+bool is_element(const MachineState& state, const Command& command, const Setup& setup) {
+    if (is_line(state, command)) return true;
+    const Code motion = motion_of(state, command);
+    return setup.rules.rounds_arcs && (motion == Code::G2 || motion == Code::G3) &&
            command.group(Group::OneShot) == Code::None;
 }
 
-bool Machine::ends_in_corner(const Command& command) const {
-    return is_element(command) && command.group(MGroup::Stop) == kNone;
-}
-
-/// True for a line in the coordinate frame of the line before.
-bool Machine::continues_from_corner(const Command& command) const {
-    for (const Group group :
-         {Group::Plane, Group::Units, Group::CutterSide, Group::ToolLength, Group::WorkOffset,
-          Group::Polar, Group::TiltedPlane, Group::Orient, Group::PolarInterpolation,
-          Group::Cylinder, Group::DynamicOffset, Group::Rotation, Group::Feed, Group::Diameter,
-          Group::NotSimulated, Group::Unsupported}) {
-        if (command.group(group) != Code::None) return false;
-    }
-    // On these controls, blocks without a move may be between the two elements of a corner.
-    const bool is_neutral =
-        rules_.rounds_arcs && !command.axis_words && command.group(Group::OneShot) == Code::None;
-    const bool continues =
-        is_neutral || (control_.corner->angle ? is_line(command) : is_element(command));
-    return continues && command.group(MGroup::Stop) == kNone &&
-           command.group(MGroup::ToolChange) == kNone && command.group(MGroup::Kinematics) == kNone;
-}
-
-bool Machine::stays_in_plane(const Axes& from, const Axes& to) const {
-    const PlaneAxes axes = axes_of(state_.plane);
+bool stays_in_plane(const MachineState& state, const Axes& from, const Axes& to) {
+    const PlaneAxes axes = axes_of(state.plane);
     for (std::size_t i = 0; i < from.size(); ++i) {
         if (i != axes.first && i != axes.second && std::abs(from[i] - to[i]) > kCornerRounding)
             return false;
@@ -73,106 +37,74 @@ bool Machine::stays_in_plane(const Axes& from, const Axes& to) const {
     return true;
 }
 
-/// Holds back the line to `end`, or the arc `arc`.
-bool Machine::hold_corner(const Command& command, const Axes& end, AxisMask mask,
-                          const ProgramArc* arc) {
-    const std::string_view name = corner_name(command.corner);
-    if (command.corner_size < 0.0) return fail(Message::NegativeValue, command.corner_span, {name});
-    if (state_.feed_mode == FeedMode::InverseTime) {
-        return fail(Message::CycleInverseTime, command.corner_span, {name});
-    }
-    if (!stays_in_plane(state_.position, end)) {
-        if (!command.corner_is_modal)
-            log_.add(Severity::Error, Message::CornerForm, command.corner_span,
-                     {name, "a line in the plane (G17, G18, G19)"});
-        return arc ? make_arc(*arc, mask) : feed_straight(end, MoveKind::Feed, mask);
-    }
-    double size = command.corner_size;
-    if (state_.programmed.scaled) {
-        size *= std::abs(state_.programmed.scale[axes_of(state_.plane).first % 3]);
-    }
+/// Returns the line of `command` to `end`, held back with its corner.
+HeldCorner held_line(const MachineState& state, const Command& command, const Axes& end,
+                     AxisMask mask, const Context& context) {
     HeldCorner held;
-    held.state = state_;
+    held.state = state;
     held.end = end;
     held.mask = mask;
     held.letter = command.corner;
-    held.size = size;
+    held.size = command.corner_size;
+    if (const ProgrammedTransform& t = state.frames.programmed; t.scaled)
+        held.size *= std::abs(t.scale[axes_of(state.plane).first % 3]);
     held.is_modal = command.corner_is_modal;
     held.feed = command.corner_feed;
-    held.span = span_;
+    held.span = context.span;
     held.word = command.corner_span;
-    held.file = file_;
-    if (arc) held.arc = *arc;
-    control_.corner = held;
-    record_move(state_, mask, false);
-    state_.position = end;
-    return true;
+    held.file = context.file;
+    return held;
 }
 
-/// Makes the held line up to the corner, and the corner itself. `next`: end of the next element,
-/// which is a line or the arc `arc`.
-bool Machine::cut_corner(const Axes& next, const ProgramArc* arc) {
-    const PlaneAxes axes = axes_of(state_.plane);
-    const HeldCorner held = *control_.corner;
-    if (arc || held.arc) return round_at_arc(next, arc);
-    const auto refuse = [&](std::string_view what) {
-        log_.add(Severity::Error, Message::CornerForm, held.word, {corner_name(held.letter), what});
-        return make_held_line(held.end, nullptr, nullptr);
-    };
-    if (held.size == 0.0) return make_held_line(held.end, nullptr, nullptr);
-    const bool is_flat = stays_in_plane(held.end, next);
-    if (!is_flat && held.is_modal) return make_held_line(held.end, nullptr, nullptr);
-    if (!is_flat) return refuse("a line in the plane after it");
-    const Axes& from = held.state.position;
-    const double x1 = held.end[axes.first] - from[axes.first];
-    const double y1 = held.end[axes.second] - from[axes.second];
-    const double x2 = next[axes.first] - held.end[axes.first];
-    const double y2 = next[axes.second] - held.end[axes.second];
-    const double length_1 = hypotenuse(x1, y1);
-    const double length_2 = hypotenuse(x2, y2);
-    if (std::min(length_1, length_2) <= kCornerRounding)
-        return refuse("two lines that have a length");
-    const double dot = (x1 * x2 + y1 * y2) / (length_1 * length_2);
-    const double cross = (x1 * y2 - y1 * x2) / (length_1 * length_2);
-    if (std::abs(cross) <= kCornerRounding) {
-        if (dot < 0.0) return refuse("a next line that does not turn back");
-        return make_held_line(held.end, nullptr, nullptr);  // Collinear lines have no corner.
+/// Makes the held line or arc to `end`, then the chamfer to `second` or the arc, with the state and
+/// the origin of the held block. Sets the position to the end.
+bool make_held_line(ControlState& control, const Axes& end, const Axes* second,
+                    const ProgramArc* arc, Context& context) {
+    MachineState& state = control.machine;
+    const HeldCorner held = *control.corner;
+    control.corner.reset();
+    const SourceSpan span = context.span;
+    const std::uint32_t file = context.file;
+    MachineState now = state;
+    state = held.state;
+    set_origin(held.span, held.file, context);
+    bool made = true;
+    if (held.arc) {
+        ProgramArc own = *held.arc;
+        own.is_open = own.is_open || end != held.end;
+        own.end = end;
+        made = (own.is_open && end == state.position) || make_arc(control, own, held.mask, context);
+    } else {
+        made = end == state.position ||
+               feed_straight(control, end, MoveKind::Feed, held.mask, context);
     }
-    // Length that the corner removes from each line.
-    const double cut = held.letter == 'R'   ? held.size * std::abs(cross) / (1.0 + dot)
-                       : held.letter == 'L' ? held.size / std::sqrt(2.0 * (1.0 + dot))
-                                            : held.size;
-    if (cut > std::min(length_1, length_2) + kCornerRounding) {
-        return refuse("lines that are long enough for it");
-    }
-    Axes first = held.end;
-    first[axes.first] -= cut * (x1 / length_1);
-    first[axes.second] -= cut * (y1 / length_1);
-    if (length_1 - cut <= kCornerRounding) first = from;  // The corner consumes the whole line.
-    Axes second = held.end;
-    second[axes.first] += cut * (x2 / length_2);
-    second[axes.second] += cut * (y2 / length_2);
-    if (length_2 - cut <= kCornerRounding) second = next;
-    if (held.letter != 'R') return make_held_line(first, &second, nullptr);
-    // A left turn has the arc's centre on the left.
-    const double side = cross > 0.0 ? held.size : -held.size;
-    const ProgramArc round{second, first[axes.first] - side * (y1 / length_1),
-                           first[axes.second] + side * (x1 / length_1), cross > 0.0 ? 1 : -1};
-    return make_held_line(first, nullptr, &round);
+    if (held.feed) state.feed = *held.feed;
+    if (made && second) made = feed_straight(control, *second, MoveKind::Feed, held.mask, context);
+    if (made && arc) made = make_arc(control, *arc, held.mask, context);
+    set_origin(span, file, context);
+    now.position = state.position;
+    now.just_left_compensation = state.just_left_compensation;
+    state = now;
+    return made;
 }
 
 /// Rounds the corner between the held line or arc and the next line or arc.
-bool Machine::round_at_arc(const Axes& next, const ProgramArc* arc) {
-    const PlaneAxes axes = axes_of(state_.plane);
-    const HeldCorner held = *control_.corner;
-    const auto refuse = [&](std::string_view what) {
-        log_.add(Severity::Error, Message::CornerForm, held.word, {corner_name(held.letter), what});
-        return make_held_line(held.end, nullptr, nullptr);
+bool round_at_arc(ControlState& control, const Axes& next, const ProgramArc* arc,
+                  Context& context) {
+    MachineState& state = control.machine;
+    const PlaneAxes axes = axes_of(state.plane);
+    const HeldCorner held = *control.corner;
+    const auto leave_corner = [&] {
+        return make_held_line(control, held.end, nullptr, nullptr, context);
     };
-    if (held.size == 0.0) return make_held_line(held.end, nullptr, nullptr);
+    const auto refuse = [&](std::string_view what) {
+        fail(context, Message::CornerForm, held.word, {corner_name(held.letter, context), what});
+        return leave_corner();
+    };
+    if (held.size == 0.0) return leave_corner();
     if (held.letter != 'R') return refuse("two lines");
-    const bool is_flat = stays_in_plane(held.end, next);
-    if (!is_flat && held.is_modal) return make_held_line(held.end, nullptr, nullptr);
+    const bool is_flat = stays_in_plane(state, held.end, next);
+    if (!is_flat && held.is_modal) return leave_corner();
     if (!is_flat) return refuse("a line or an arc in the plane after it");
     const auto point = [&](const Axes& p) { return Vec2{p[axes.first], p[axes.second]}; };
     PlaneElement first{point(held.state.position), point(held.end), false, {}, 1.0};
@@ -194,7 +126,7 @@ bool Machine::round_at_arc(const Axes& next, const ProgramArc* arc) {
     constexpr double kTangent = 1e-6;  // Centres of tangential arcs are rounded by programmers.
     if (std::abs(cross) <= kTangent) {
         if (dot < 0.0) return refuse("a next element that does not turn back");
-        return make_held_line(held.end, nullptr, nullptr);
+        return leave_corner();
     }
     const double side = cross > 0.0 ? 1.0 : -1.0;
     const std::optional<Fillet> found = fillet(first, second, held.size, side);
@@ -209,56 +141,137 @@ bool Machine::round_at_arc(const Axes& next, const ProgramArc* arc) {
     const Axes begin = axes_at(found->begin, first.from, held.state.position);
     const ProgramArc round{axes_at(found->end, second.to, next), found->centre.x, found->centre.y,
                            cross > 0.0 ? 1 : -1, true};
-    return make_held_line(begin, nullptr, &round);
+    return make_held_line(control, begin, nullptr, &round, context);
 }
 
-/// Makes an arc with the present state: of an outline, under cutter compensation, or plain.
-bool Machine::make_arc(const ProgramArc& arc, AxisMask mask) {
-    if (outline_) return record_outline_move(arc.end, &arc);
-    if (compensation_.is_on()) return compensation_.arc(state_, arc, mask, span_, file_);
-    path_.arc(state_, arc, mask);
-    state_.just_left_compensation = false;
+}  // namespace
+
+std::string_view corner_name(char letter, const Setup& setup) {
+    if (setup.rules.dialect == Dialect::Heidenhain) return letter == 'R' ? "RND" : "CHF";
+    if (setup.rules.dialect == Dialect::Sinumerik)
+        return letter == 'R' ? "RND" : letter == 'C' ? "CHR" : letter == 'L' ? "CHF" : "ANG";
+    return letter == 'R' ? ",R" : letter == 'C' ? ",C" : ",A";
+}
+
+bool is_line(const MachineState& state, const Command& command) {
+    if (motion_of(state, command) != Code::G1 || !command.axis_words) return false;
+    for (const Group group : {Group::OneShot, Group::Rotation, Group::Scaling, Group::Mirror,
+                              Group::Macro, Group::Pocket, Group::HolePattern}) {
+        if (command.group(group) != Code::None) return false;
+    }
+    return command.group(Group::ToolLength) != Code::G43_1;
+}
+
+bool ends_in_corner(const MachineState& state, const Command& command, const Setup& setup) {
+    return is_element(state, command, setup) && command.group(MGroup::Stop) == kNone;
+}
+
+bool continues_from_corner(const ControlState& control, const Command& command,
+                           const Setup& setup) {
+    const MachineState& state = control.machine;
+    for (const Group group :
+         {Group::Plane, Group::Units, Group::CutterSide, Group::ToolLength, Group::WorkOffset,
+          Group::Polar, Group::TiltedPlane, Group::Orient, Group::PolarInterpolation,
+          Group::Cylinder, Group::DynamicOffset, Group::Rotation, Group::Feed, Group::Diameter,
+          Group::NotSimulated, Group::Unsupported}) {
+        if (command.group(group) != Code::None) return false;
+    }
+    // On these controls, blocks without a move may be between the two elements of a corner.
+    const bool is_neutral = setup.rules.rounds_arcs && !command.axis_words &&
+                            command.group(Group::OneShot) == Code::None;
+    const bool continues =
+        is_neutral ||
+        (control.corner->angle ? is_line(state, command) : is_element(state, command, setup));
+    return continues && command.group(MGroup::Stop) == kNone &&
+           command.group(MGroup::ToolChange) == kNone && command.group(MGroup::Kinematics) == kNone;
+}
+
+bool hold_corner(ControlState& control, const Command& command, const Axes& end, AxisMask mask,
+                 const ProgramArc* arc, Context& context) {
+    MachineState& state = control.machine;
+    const std::string_view name = corner_name(command.corner, context);
+    if (command.corner_size < 0.0)
+        return fail(context, Message::NegativeValue, command.corner_span, {name});
+    if (state.feed_mode == FeedMode::InverseTime) {
+        return fail(context, Message::CycleInverseTime, command.corner_span, {name});
+    }
+    if (!stays_in_plane(state, state.position, end)) {
+        if (!command.corner_is_modal)
+            context.log.add(Severity::Error, Message::CornerForm, command.corner_span,
+                            {name, "a line in the plane (G17, G18, G19)"});
+        return arc ? make_arc(control, *arc, mask, context)
+                   : feed_straight(control, end, MoveKind::Feed, mask, context);
+    }
+    HeldCorner held = held_line(state, command, end, mask, context);
+    if (arc) held.arc = *arc;
+    control.corner = held;
+    record_move(state, mask, false);
+    state.position = end;
     return true;
 }
 
-/// Makes the held line or arc to `end`, then the chamfer to `second` or the arc, with the state and
-/// the origin of the held block. Sets `state_.position` to the end.
-bool Machine::make_held_line(const Axes& end, const Axes* second, const ProgramArc* arc) {
-    const HeldCorner held = *control_.corner;
-    control_.corner.reset();
-    const SourceSpan span = span_;
-    const std::uint32_t file = file_;
-    MachineState now = state_;
-    state_ = held.state;
-    set_origin(held.span, held.file);
-    bool made = true;
-    if (held.arc) {
-        ProgramArc own = *held.arc;
-        own.is_open = own.is_open || end != held.end;
-        own.end = end;
-        made = (own.is_open && end == state_.position) || make_arc(own, held.mask);
-    } else {
-        made = end == state_.position || feed_straight(end, MoveKind::Feed, held.mask);
+bool cut_corner(ControlState& control, const Axes& next, const ProgramArc* arc, Context& context) {
+    MachineState& state = control.machine;
+    const PlaneAxes axes = axes_of(state.plane);
+    const HeldCorner held = *control.corner;
+    if (arc || held.arc) return round_at_arc(control, next, arc, context);
+    const auto leave_corner = [&] {
+        return make_held_line(control, held.end, nullptr, nullptr, context);
+    };
+    const auto refuse = [&](std::string_view what) {
+        fail(context, Message::CornerForm, held.word, {corner_name(held.letter, context), what});
+        return leave_corner();
+    };
+    if (held.size == 0.0) return leave_corner();
+    const bool is_flat = stays_in_plane(state, held.end, next);
+    if (!is_flat && held.is_modal) return leave_corner();
+    if (!is_flat) return refuse("a line in the plane after it");
+    const Axes& from = held.state.position;
+    const double x1 = held.end[axes.first] - from[axes.first];
+    const double y1 = held.end[axes.second] - from[axes.second];
+    const double x2 = next[axes.first] - held.end[axes.first];
+    const double y2 = next[axes.second] - held.end[axes.second];
+    const double length_1 = hypotenuse(x1, y1);
+    const double length_2 = hypotenuse(x2, y2);
+    if (std::min(length_1, length_2) <= kCornerRounding)
+        return refuse("two lines that have a length");
+    const double dot = (x1 * x2 + y1 * y2) / (length_1 * length_2);
+    const double cross = (x1 * y2 - y1 * x2) / (length_1 * length_2);
+    if (std::abs(cross) <= kCornerRounding) {
+        if (dot < 0.0) return refuse("a next line that does not turn back");
+        return leave_corner();  // Collinear lines have no corner.
     }
-    if (held.feed) state_.feed = *held.feed;
-    if (made && second) made = feed_straight(*second, MoveKind::Feed, held.mask);
-    if (made && arc) made = make_arc(*arc, held.mask);
-    set_origin(span, file);
-    now.position = state_.position;
-    now.just_left_compensation = state_.just_left_compensation;
-    state_ = now;
-    return made;
+    // Length that the corner removes from each line.
+    const double cut = held.letter == 'R'   ? held.size * std::abs(cross) / (1.0 + dot)
+                       : held.letter == 'L' ? held.size / std::sqrt(2.0 * (1.0 + dot))
+                                            : held.size;
+    if (cut > std::min(length_1, length_2) + kCornerRounding) {
+        return refuse("lines that are long enough for it");
+    }
+    Axes first = held.end;
+    first[axes.first] -= cut * (x1 / length_1);
+    first[axes.second] -= cut * (y1 / length_1);
+    if (length_1 - cut <= kCornerRounding) first = from;  // The corner consumes the whole line.
+    Axes second = held.end;
+    second[axes.first] += cut * (x2 / length_2);
+    second[axes.second] += cut * (y2 / length_2);
+    if (length_2 - cut <= kCornerRounding) second = next;
+    if (held.letter != 'R') return make_held_line(control, first, &second, nullptr, context);
+    // A left turn has the arc's centre on the left.
+    const double side = cross > 0.0 ? held.size : -held.size;
+    const ProgramArc round{second, first[axes.first] - side * (y1 / length_1),
+                           first[axes.second] + side * (x1 / length_1), cross > 0.0 ? 1 : -1};
+    return make_held_line(control, first, nullptr, &round, context);
 }
 
-/// Completes the end of a line with a direction: "X50. ,A30.". If both coordinates are given, both
-/// must agree with the direction within the rounding of three decimals.
-bool Machine::end_by_angle(const Command& command, Axes& end, AxisMask& mask) {
+bool end_by_angle(const MachineState& state, const Command& command, Axes& end, AxisMask& mask,
+                  Context& context) {
     const auto refuse = [&](std::string_view what) {
-        return fail(Message::AngleForm, command.angle_span, {what});
+        return fail(context, Message::AngleForm, command.angle_span, {what});
     };
-    const PlaneAxes axes = axes_of(state_.plane);
-    const Axes from = to_programmed(state_.position);
-    Axes to = to_programmed(end);
+    const PlaneAxes axes = axes_of(state.plane);
+    const Axes from = state.frames.programmed.remove(state.position);
+    Axes to = state.frames.programmed.remove(end);
     for (std::size_t i = 0; i < to.size(); ++i) {
         if (i != axes.first && i != axes.second && (mask & 1U << i) != 0)
             return refuse("a line in the plane (G17, G18, G19)");
@@ -280,66 +293,62 @@ bool Machine::end_by_angle(const Command& command, Axes& end, AxisMask& mask) {
     if (std::abs(along) <= kCornerRounding) return refuse("a direction that reaches its end");
     if (tells_first) {
         to[axes.second] = from[axes.second] + x * (d.sin / d.cos);
-        if (is_known(axes.second)) mask |= 1U << axes.second;
+        if (state.is_known(axes.second)) mask |= 1U << axes.second;
     } else {
         to[axes.first] = from[axes.first] + y * (d.cos / d.sin);
-        if (is_known(axes.first)) mask |= 1U << axes.first;
+        if (state.is_known(axes.first)) mask |= 1U << axes.first;
     }
-    end = from_programmed(to);
+    end = state.frames.programmed.apply(to);
     return true;
 }
 
-/// Holds back a line without coordinates, "G1 ,A30.", which ends at the next line.
-bool Machine::hold_angle(const Command& command, const Axes& end, AxisMask mask) {
+bool hold_angle(ControlState& control, const Command& command, const Axes& end, AxisMask mask,
+                Context& context) {
+    MachineState& state = control.machine;
     if (mask != 0)
-        return fail(Message::AngleForm, command.angle_span,
+        return fail(context, Message::AngleForm, command.angle_span,
                     {"a line in the plane (G17, G18, G19)"});
-    if (state_.feed_mode == FeedMode::InverseTime)
-        return fail(Message::CycleInverseTime, command.angle_span, {",A"});
-    const PlaneAxes axes = axes_of(state_.plane);
+    if (state.feed_mode == FeedMode::InverseTime)
+        return fail(context, Message::CycleInverseTime, command.angle_span, {",A"});
+    const PlaneAxes axes = axes_of(state.plane);
     AxisMask plane = 0;
     for (const std::size_t axis : {axes.first, axes.second}) {
-        if (is_known(axis)) plane |= 1U << axis;
+        if (state.is_known(axis)) plane |= 1U << axis;
     }
     const bool has_corner = command.corner != 0 && command.corner_size != 0.0;
     if (has_corner && command.corner_size < 0.0) {
-        return fail(Message::NegativeValue, command.corner_span, {corner_name(command.corner)});
+        return fail(context, Message::NegativeValue, command.corner_span,
+                    {corner_name(command.corner, context)});
     }
-    double size = has_corner ? command.corner_size : 0.0;
-    if (state_.programmed.scaled) size *= std::abs(state_.programmed.scale[axes.first % 3]);
-    const char letter = has_corner ? command.corner : 'A';
-    HeldCorner held;
-    held.state = state_;
-    held.end = end;
-    held.mask = plane;
-    held.letter = letter;
-    held.size = size;
+    HeldCorner held = held_line(state, command, end, plane, context);
     held.angle = command.angle;
-    held.is_modal = has_corner && command.corner_is_modal;
-    held.feed = command.corner_feed;
-    held.span = span_;
-    held.word = has_corner ? command.corner_span : command.angle_span;
-    held.file = file_;
-    control_.corner = held;
+    if (!has_corner) {
+        held.letter = 'A';
+        held.size = 0.0;
+        held.is_modal = false;
+        held.word = command.angle_span;
+    }
+    control.corner = held;
     return true;
 }
 
-/// Computes where the held line meets the next line, whose end `next` and direction are given.
-bool Machine::find_corner(const Command& command, const Axes& next) {
-    HeldCorner& held = *control_.corner;
+bool find_corner(ControlState& control, const Command& command, const Axes& next,
+                 Context& context) {
+    MachineState& state = control.machine;
+    HeldCorner& held = *control.corner;
     const auto refuse = [&](std::string_view what) {
         const SourceSpan span = held.word;
-        control_.corner.reset();
-        return fail(Message::AngleForm, span, {what});
+        control.corner.reset();
+        return fail(context, Message::AngleForm, span, {what});
     };
-    const PlaneAxes axes = axes_of(state_.plane);
-    if (!command.has_angle || !command.has("XYZABCUVW"[axes.first]) ||
-        !command.has("XYZABCUVW"[axes.second]) || state_.incremental) {
+    const PlaneAxes axes = axes_of(state.plane);
+    if (!command.has_angle || !command.has(kAxisNames[axes.first]) ||
+        !command.has(kAxisNames[axes.second]) || state.incremental) {
         return refuse("one coordinate of its end, or a next line with both and its own ,A (G90)");
     }
-    if (!stays_in_plane(state_.position, next)) return refuse("a next line in the plane");
-    const Axes from = to_programmed(state_.position);
-    const Axes to = to_programmed(next);
+    if (!stays_in_plane(state, state.position, next)) return refuse("a next line in the plane");
+    const Axes from = state.frames.programmed.remove(state.position);
+    const Axes to = state.frames.programmed.remove(next);
     const SinCos a = sin_cos(*held.angle);
     const SinCos b = sin_cos(command.angle);
     const double cross = a.cos * b.sin - a.sin * b.cos;
@@ -350,28 +359,27 @@ bool Machine::find_corner(const Command& command, const Axes& next) {
     Axes corner = from;
     corner[axes.first] += length * a.cos;
     corner[axes.second] += length * a.sin;
-    held.end = from_programmed(corner);
+    held.end = state.frames.programmed.apply(corner);
     held.angle.reset();
-    record_move(state_, held.mask, false);
-    state_.position = held.end;
+    record_move(state, held.mask, false);
+    state.position = held.end;
     return true;
 }
 
-/// Reports that the next block is no line. Makes the held line to the programmed corner; a line
-/// with unknown end is discarded.
-void Machine::settle_corner() {
-    if (control_.corner->angle) {
-        const SourceSpan span = control_.corner->word;
-        control_.corner.reset();
-        fail(Message::AngleForm, span, {"one coordinate of its end, or a next line that it meets"});
+void settle_corner(ControlState& control, Context& context) {
+    if (control.corner->angle) {
+        const SourceSpan span = control.corner->word;
+        control.corner.reset();
+        fail(context, Message::AngleForm, span,
+             {"one coordinate of its end, or a next line that it meets"});
         return;
     }
-    if (!control_.corner->is_modal)
-        log_.add(Severity::Error, Message::CornerForm, control_.corner->word,
-                 {corner_name(control_.corner->letter), rules_.rounds_arcs
-                                                            ? "a line or an arc in the next block"
-                                                            : "a line (G1) in the next block"});
-    make_held_line(Axes(control_.corner->end), nullptr, nullptr);
+    if (!control.corner->is_modal)
+        context.log.add(Severity::Error, Message::CornerForm, control.corner->word,
+                        {corner_name(control.corner->letter, context),
+                         context.rules.rounds_arcs ? "a line or an arc in the next block"
+                                                   : "a line (G1) in the next block"});
+    make_held_line(control, Axes(control.corner->end), nullptr, nullptr, context);
 }
 
 }  // namespace ncsim::gcode

@@ -4,7 +4,8 @@
 // acts in its block only.
 #include "ncsim/base/angles.h"
 
-#include "control/machine.h"
+#include "control/cycles/cycle_steps.h"
+#include "control/paths/path_steps.h"
 
 #include <cmath>
 
@@ -16,23 +17,20 @@ constexpr double kMostHoles = 9999.0;
 
 }  // namespace
 
-/// Drills the holes of a pattern about the position of X and Y in the block, or about the position
-/// of the tool: the centre of G70 and G71, the first hole of G72. Angles count from the first axis
-/// of the plane to the second. A negative radius or distance reverses the direction.
-bool Machine::hole_pattern(const Command& command, Code code, bool words_taken) {
+bool drill_pattern(ControlState& control, const Command& command, Code code, bool words_taken,
+                   Context& context) {
+    MachineState& state = control.machine;
     const SourceSpan span = span_of_g(command, code);
     const std::string_view name = name_of(code);
     const auto needs = [&](std::string_view what) {
-        return fail(Message::HolePatternWord, span, {name, what});
+        return fail(context, Message::HolePatternWord, span, {name, what});
     };
-    if (compensation_.is_on()) {
-        return fail(Message::ForbiddenWithCompensation, span, {name});
-    }
+    if (control.compensation.is_on())
+        return fail(context, Message::ForbiddenWithCompensation, span, {name});
     words_taken = words_taken || command.group(Group::OneShot) != Code::None;
-    Code motion = command.group(Group::Motion);
-    if (motion == Code::None) motion = state_.motion;
+    const Code motion = motion_of(state, command);
     if (!is_cycle(motion) || words_taken) return needs("a drilling cycle that is on, such as G81");
-    if (state_.plane != Plane::XY) return needs("the XY plane (G17)");
+    if (state.plane != Plane::XY) return needs("the XY plane (G17)");
     if (!command.has('I')) return needs(code == Code::G72 ? "a distance (I)" : "a radius (I)");
     if (!command.has('J')) return needs("an angle (J)");
     if (code == Code::G71 && !command.has('K')) return needs("the angle between two holes (K)");
@@ -44,23 +42,22 @@ bool Machine::hole_pattern(const Command& command, Code code, bool words_taken) 
     if (command['I'] == 0.0 && !(one && code == Code::G72)) return needs("an I that is not 0");
     if (code == Code::G71 && command['K'] == 0.0 && !one) return needs("a K that is not 0");
 
-    state_.motion = motion;
-    if (!state_.first_length_seen) {
-        state_.first_length_seen = true;
-        state_.first_length_in_inches = state_.inches;
-    }
-    if (!needs_feed(command, name_of(motion)) || !cycle_words(command, motion)) return false;
+    state.motion = motion;
+    note_length(state);
+    if (!needs_feed(state, command, name_of(motion), context) ||
+        !cycle_words(state, command, motion, context))
+        return false;
     Axes at{};
     AxisMask mask = 0;
-    if (!hole_place(command, at, mask)) return false;
-    std::optional<Drilling> drilling = begin_drilling(command, motion);
+    if (!hole_place(state, command, at, mask, context)) return false;
+    std::optional<Drilling> drilling = begin_drilling(state, command, motion, context);
     if (!drilling) return false;
 
-    const Axes centre = to_programmed(at);
+    const Axes centre = state.frames.programmed.remove(at);
     const double sense = command['I'] < 0.0 ? -1.0 : 1.0;
     // An axis with an unknown position stays unknown after the holes.
     for (const std::size_t axis : {kX, kY}) {
-        if (is_known(axis)) mask |= 1U << axis;
+        if (state.is_known(axis)) mask |= 1U << axis;
     }
     for (int i = 0; i < static_cast<int>(holes); ++i) {
         const bool on_line = code == Code::G72;
@@ -71,7 +68,8 @@ bool Machine::hole_pattern(const Command& command, Code code, bool words_taken) 
         Axes hole = centre;
         hole[kX] += distance * direction.cos;
         hole[kY] += distance * direction.sin;
-        if (!hole_at(*drilling, from_programmed(hole), mask)) return false;
+        if (!hole_at(state, *drilling, state.frames.programmed.apply(hole), mask, context))
+            return false;
     }
     return true;
 }

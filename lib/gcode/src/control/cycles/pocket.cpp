@@ -2,10 +2,13 @@
 //
 // G12 and G13 of Haas: a circular pocket, clockwise and counter-clockwise, including cutter
 // compensation. Each code acts in its block only.
-#include "control/machine.h"
+#include "control/cycles/cycle_steps.h"
+#include "control/frames/frame_steps.h"
+#include "control/paths/path_steps.h"
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace ncsim::gcode {
 namespace {
@@ -13,23 +16,47 @@ namespace {
 /// Limit above any real program; a larger number is a wrong word.
 constexpr double kMostCircles = 100'000.0;
 
-/// Smallest radius of a circle, mm.
-constexpr double kMinCircleRadius = 0.00127;
+/// Mills the circles `radii` in the plane of `centre`, where the tool is before and after. Half
+/// circles lead from the centre to a side, and between circles to the opposite side, always in the
+/// same sense.
+void mill_circles(MachineState& state, const Axes& centre, const std::vector<double>& radii,
+                  bool clockwise, AxisMask mask, Context& context) {
+    const int turns = clockwise ? -1 : 1;
+    const Axes origin = state.frames.programmed.remove(centre);
+    const auto offset_point = [&](double x) {
+        Axes p = origin;
+        p[kX] += x;
+        p = state.frames.programmed.apply(p);
+        p[kZ] = centre[kZ];
+        return p;
+    };
+    const auto around = [&](const Axes& end, double about) {
+        const Axes c = offset_point(about);
+        context.path.arc(state, {end, c[kX], c[kY], turns}, mask);
+    };
+    double at = 0.0;
+    for (const double radius : radii) {
+        const double next = at > 0.0 ? -radius : radius;
+        const Axes side = offset_point(next);
+        around(side, (at + next) / 2.0);
+        around(side, 0.0);
+        at = next;
+    }
+    around(centre, at / 2.0);
+}
 
 }  // namespace
 
-/// Mills a circular pocket about X Y of the block, or about the position of the tool. Each of the L
-/// passes: down to the depth; a half circle to the first circle; around the circle; half circles to
-/// the next circles, around each; a half circle back to the centre. The manual gives the circles
-/// and only draws the connections; every connection is inside the next circle.
-bool Machine::pocket(const Command& command, Code code, bool words_taken) {
+bool mill_pocket(ControlState& control, const Command& command, Code code, bool words_taken,
+                 Context& context) {
+    MachineState& state = control.machine;
     const SourceSpan span = span_of_g(command, code);
     const std::string_view name = name_of(code);
     const auto needs = [&](std::string_view what) {
-        return fail(Message::PocketWord, span, {name, what});
+        return fail(context, Message::PocketWord, span, {name, what});
     };
-    if (compensation_.is_on() || state_.cutter_side != CutterSide::Off) {
-        return fail(Message::ForbiddenWithCompensation, span, {name});
+    if (control.compensation.is_on() || state.cutter_side != CutterSide::Off) {
+        return fail(context, Message::ForbiddenWithCompensation, span, {name});
     }
     const Code motion = command.group(Group::Motion);
     const bool plain =
@@ -37,13 +64,12 @@ bool Machine::pocket(const Command& command, Code code, bool words_taken) {
     if (words_taken || !plain || command.group(Group::OneShot) != Code::None) {
         return needs("a block of its own");
     }
-    if (state_.feed_mode == FeedMode::InverseTime) {
-        return fail(Message::CycleInverseTime, span, {name});
+    if (state.feed_mode == FeedMode::InverseTime) {
+        return fail(context, Message::CycleInverseTime, span, {name});
     }
-    if (state_.cycle.running && motion == Code::None)
-        return needs("the drilling cycle ended (G80)");
-    if (state_.plane != Plane::XY) return needs("the XY plane (G17)");
-    if (state_.programmed.scaled) return needs("scaling and mirroring off (G50)");
+    if (state.cycle.running && motion == Code::None) return needs("the drilling cycle ended (G80)");
+    if (state.plane != Plane::XY) return needs("the XY plane (G17)");
+    if (state.frames.programmed.scaled) return needs("scaling and mirroring off (G50)");
     if (!command.has('I')) return needs("the radius of the first circle (I)");
     const double first = command['I'];
     const double last = command.get('K', first);
@@ -60,11 +86,11 @@ bool Machine::pocket(const Command& command, Code code, bool words_taken) {
     const double circles = last > first ? (last - first) / step + 1.0 : 1.0;
     if (circles * passes > kMostCircles)
         return needs("fewer circles: Q is too small or L too large");
-    if (!needs_feed(command, name)) return false;
+    if (!needs_feed(state, command, name, context)) return false;
 
-    const double cutter = std::abs(radius_of_register(command, span));
-    const double tiny = kMinCircleRadius / state_.unit_mm();
-    if (first - cutter < tiny) return fail(Message::CompensationArc, span);
+    const double cutter = std::abs(radius_of_register(control, command, span, context));
+    const double tiny = kMinArcRadius / state.unit_mm();
+    if (first - cutter < tiny) return fail(context, Message::CompensationArc, span);
     std::vector<double> radii;
     // Computed by multiplication, not by repeated addition; a last step of rounding errors is no
     // circle.
@@ -74,60 +100,29 @@ bool Machine::pocket(const Command& command, Code code, bool words_taken) {
 
     Axes end{};
     AxisMask mask = 0;
-    if (!find_ends(command, end, mask)) return false;
-    if (motion != Code::None) state_.motion = motion, state_.cycle = {};
-    if (motion == Code::G0 || motion == Code::G1) state_.last_straight = motion;
-    if (!state_.first_length_seen) {
-        state_.first_length_seen = true;
-        state_.first_length_in_inches = state_.inches;
-    }
+    if (!find_ends(state, command, end, mask, context)) return false;
+    if (motion != Code::None) state.motion = motion, state.cycle = {};
+    if (motion == Code::G0 || motion == Code::G1) state.last_straight = motion;
+    note_length(state);
     constexpr AxisMask kDepth = 1U << kZ;
-    const double down = end[kZ] - state_.position[kZ];
+    const double down = end[kZ] - state.position[kZ];
     Axes centre = end;
-    centre[kZ] = state_.position[kZ];
-    if ((mask & ~kDepth) != 0) path_.linear_move(state_, centre, MoveKind::Rapid, mask & ~kDepth);
+    centre[kZ] = state.position[kZ];
+    if ((mask & ~kDepth) != 0)
+        context.path.linear_move(state, centre, MoveKind::Rapid, mask & ~kDepth);
     // An axis with an unknown position stays unknown after the circles.
     AxisMask plane = 0;
     for (const std::size_t axis : {kX, kY}) {
-        if (is_known(axis)) plane |= 1U << axis;
+        if (state.is_known(axis)) plane |= 1U << axis;
     }
     for (int pass = 0; pass < static_cast<int>(passes); ++pass) {
         if ((mask & kDepth) != 0) {
-            centre[kZ] = state_.incremental ? state_.position[kZ] + down : end[kZ];
-            path_.linear_move(state_, centre, MoveKind::Feed, kDepth);
+            centre[kZ] = state.incremental ? state.position[kZ] + down : end[kZ];
+            context.path.linear_move(state, centre, MoveKind::Feed, kDepth);
         }
-        mill_circles(centre, radii, code == Code::G12, plane);
+        mill_circles(state, centre, radii, code == Code::G12, plane, context);
     }
     return true;
-}
-
-/// Mills the circles `radii` in the plane of `centre`, where the tool is before and after. Half
-/// circles lead from the centre to a side, and between circles to the opposite side, always in the
-/// same sense.
-void Machine::mill_circles(const Axes& centre, const std::vector<double>& radii, bool clockwise,
-                           AxisMask mask) {
-    const int turns = clockwise ? -1 : 1;
-    const Axes origin = to_programmed(centre);
-    const auto offset_point = [&](double x) {
-        Axes p = origin;
-        p[kX] += x;
-        p = from_programmed(p);
-        p[kZ] = centre[kZ];
-        return p;
-    };
-    const auto around = [&](const Axes& end, double about) {
-        const Axes c = offset_point(about);
-        path_.arc(state_, {end, c[kX], c[kY], turns}, mask);
-    };
-    double at = 0.0;
-    for (const double radius : radii) {
-        const double next = at > 0.0 ? -radius : radius;
-        const Axes side = offset_point(next);
-        around(side, (at + next) / 2.0);
-        around(side, 0.0);
-        at = next;
-    }
-    around(centre, at / 2.0);
 }
 
 }  // namespace ncsim::gcode

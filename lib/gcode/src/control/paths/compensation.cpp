@@ -369,32 +369,28 @@ void Compensation::end(MachineState& state) {
     s_.radius = 0.0;
 }
 
-void Compensation::convert_units(double factor, const std::function<void(MachineState&)>& convert) {
-    const auto scale = [factor](Axes& axes) {
-        for (std::size_t i = 0; i < axes.size(); ++i) {
-            if (!is_rotary(i)) axes[i] *= factor;
-        }
-    };
+void CompensationState::convert_units(double factor,
+                                      const std::function<void(MachineState&)>& convert) {
     const auto scale_element = [&](Rare<Element>& element) {
         if (!element) return;
         convert(element->state);
-        scale(element->end);
+        scale_lengths(element->end, factor);
         for (Vec* v : {&element->from, &element->to, &element->centre}) {
             v->x *= factor;
             v->y *= factor;
         }
     };
-    s_.radius *= factor;
-    scale(s_.at);
-    if (s_.programmed) scale(*s_.programmed);
-    scale_element(s_.held);
-    scale_element(s_.made);
-    const GrowingList<Follower> before = s_.followers;
-    s_.followers = {};
+    radius *= factor;
+    scale_lengths(at, factor);
+    if (programmed) scale_lengths(*programmed, factor);
+    scale_element(held);
+    scale_element(made);
+    const GrowingList<Follower> before = followers;
+    followers = {};
     for (Follower follower : before) {
         convert(follower.state);
-        scale(follower.end);
-        s_.followers.push_back(follower);
+        scale_lengths(follower.end, factor);
+        followers.push_back(follower);
     }
 }
 

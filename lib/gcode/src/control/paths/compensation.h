@@ -61,28 +61,33 @@ struct CompensationState {
     Rare<Element> made;
     GrowingList<Follower> followers;
     Axes at{};  ///< Position of the tool, program coordinates.
+
+    /// Multiplies all lengths by `factor`, and converts states by `convert`.
+    void convert_units(double factor, const std::function<void(MachineState&)>& convert);
+    bool is_on() const { return radius > 0.0; }
+    /// True if on, and the next move starts the compensation.
+    bool is_entering() const { return is_on() && entering; }
     bool operator==(const CompensationState&) const = default;
 };
 
-/// Cutter radius compensation.
+/// Moves of the tool under cutter radius compensation.
 class Compensation {
     using Vec = CompensationState::Vec;
     using Element = CompensationState::Element;
     using Follower = CompensationState::Follower;
 
 public:
-    /// Requires: `state` outlives this object.
-    Compensation(CompensationState& state, Path& path, DiagnosticLog& log)
-        : s_(state), path_(path), log_(log) {}
+    /// `is_linuxcnc`: outside corners before a rapid are straight, and a first move not longer than
+    /// the radius is an error. On other controls such a first move starts square to the next move.
+    /// Requires: `state`, `path` and `log` outlive this object.
+    Compensation(CompensationState& state, Path& path, DiagnosticLog& log, bool is_linuxcnc)
+        : s_(state), path_(path), log_(log), is_linuxcnc_(is_linuxcnc) {}
 
     /// Starts compensation with the next move. `radius` > 0, program units.
     void begin(CutterSide side, double radius, CompensationStart start);
     /// Starts compensation with the tool already at the offset position `at` of the next move's
     /// start.
     void begin_at_offset(CutterSide side, double radius, const Axes& at);
-    bool is_on() const { return s_.radius > 0.0; }
-    /// True if on, and the next move starts the compensation.
-    bool is_entering() const { return is_on() && s_.entering; }
 
     // Same as the functions of Path, for programmed moves. Return false after reporting a move that
     // cannot be made.
@@ -95,14 +100,6 @@ public:
     /// Makes the held move to the end without regard to the next move, which continues from there
     /// (a stop on LinuxCNC).
     void finish_held();
-    /// Returns the programmed end of the last move; nullopt before the first move.
-    std::optional<Axes> programmed_end() const { return s_.programmed; }
-    /// Selects the behaviour of LinuxCNC: outside corners before a rapid are straight, and a first
-    /// move not longer than the radius is an error. On other controls such a first move starts
-    /// square to the next move.
-    void set_linuxcnc(bool on) { is_linuxcnc_ = on; }
-    /// Multiplies all lengths by `factor`, and converts states by `convert`.
-    void convert_units(double factor, const std::function<void(MachineState&)>& convert);
 
     /// Makes the held move and sets `state.position` to the position of the tool.
     void flush(MachineState& state);
@@ -128,7 +125,7 @@ private:
     CompensationState& s_;
     Path& path_;
     DiagnosticLog& log_;
-    bool is_linuxcnc_ = false;
+    bool is_linuxcnc_;
 };
 
 }  // namespace ncsim::gcode

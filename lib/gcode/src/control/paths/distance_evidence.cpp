@@ -35,7 +35,7 @@ void DistanceEvidence::take(const Command& command, const MachineState& state,
 
 void DistanceEvidence::take_arc(const Command& command, const MachineState& state) {
     const PlaneAxes axes = axes_of(state.plane);
-    if (state.absolute_centres || state.programmed.rotated || state.programmed.scaled) return;
+    if (state.absolute_centres || state.frames.programmed.changes_places()) return;
     const std::array in_plane{axes.first, axes.second};
     std::array<double, 2> place{}, step{}, centre{};  // relative to the start of the arc
     for (std::size_t i = 0; i < in_plane.size(); ++i) {

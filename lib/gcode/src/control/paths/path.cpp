@@ -5,6 +5,8 @@
 
 #include "ncsim/base/angles.h"
 
+#include "control/store.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,15 +25,10 @@ Length& coordinate(Position& position, std::size_t axis) {
     return position.*kCoordinates[axis];
 }
 
-bool is_known(const KnownAxes& known, std::size_t axis) {
-    return axis == kX ? known.x : axis == kY ? known.y : known.z;
-}
-
 /// True for an increment parallel to a machine axis from a known position.
 bool keeps_frame(const MachineState& state, std::size_t axis, bool to_machine) {
-    return state.incremental && !to_machine && is_known(state.known, axis) &&
-           state.rotation == 0.0 && !state.plane_frame && !state.programmed.rotated &&
-           !state.programmed.scaled;
+    return state.incremental && !to_machine && state.known[axis] && state.frames.rotation == 0.0 &&
+           !state.frames.tilt && !state.frames.programmed.changes_places();
 }
 
 /// Largest number of held motions; after this number W is the system of the last motion.
@@ -41,10 +38,10 @@ ProgramFrame frame_of(const MachineState& state) {
     ProgramFrame frame;
     frame.inches = state.inches;
     frame.system = state.system;
-    frame.work_offset = state.work_offset;
-    frame.offset_92 = state.offset_92;
-    frame.tool_offset = state.tool_offset;
-    frame.rotation = state.rotation;
+    frame.work_offset = state.frames.work_offset;
+    frame.offset_92 = state.frames.offset_92;
+    frame.tool_offset = state.frames.tool_offset;
+    frame.rotation = state.frames.rotation;
     frame.plane = state.plane;
     frame.length_register = state.length_register;
     frame.length_specified = state.length_specified;
@@ -67,7 +64,6 @@ WorkOffset zero_of(const Axes& work_offset, const Axes& zero_92, double rotation
 }
 
 std::string name_of_system(int system) {
-    constexpr int kExtended = 9;
     std::string name = system > kExtended ? "G54.1 P" : system > 6 ? "G59." : "G";
     const int number = system > kExtended ? system - kExtended
                        : system > 6       ? system - 6
@@ -77,28 +73,14 @@ std::string name_of_system(int system) {
 
 }  // namespace
 
-Axes to_untilted(const MachineState& state, const Axes& p) {
-    Axes out = p;
-    for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] += state.offset_92[i];
-    if (!state.plane_frame) return out;
-    const Triple to_parent = state.plane_frame->to_parent({out[kX], out[kY], out[kZ]});
-    for (std::size_t i = 0; i < 3; ++i)
-        out[i] = to_parent[i] + state.outer_92[i];
-    return out;
-}
-
 Path::Place Path::place(const MachineState& state, const Axes& at_plane) {
-    const Axes p = to_untilted(state, at_plane);
+    const Axes p = state.frames.to_system(at_plane);
     const double mm = state.unit_mm();
-    double x = p[kX];
-    double y = p[kY];
-    rotate(x, y, state.rotation);
-    const auto& g5x = state.work_offset;
+    const auto& g5x = state.frames.work_offset;
     Place out;
     Position& at = out.machine;
-    at.x = Length::from_mm(mm * (x + g5x[kX]));
-    at.y = Length::from_mm(mm * (y + g5x[kY]));
+    at.x = Length::from_mm(mm * (p[kX] + g5x[kX]));
+    at.y = Length::from_mm(mm * (p[kY] + g5x[kY]));
     at.z = Length::from_mm(mm * (p[kZ] + g5x[kZ]));
     at.a = Angle::from_degrees(p[kA] + g5x[kA]);
     at.b = Angle::from_degrees(p[kB] + g5x[kB]);
@@ -106,10 +88,10 @@ Path::Place Path::place(const MachineState& state, const Axes& at_plane) {
     at.u = Length::from_mm(mm * (p[kU] + g5x[kU]));
     at.v = Length::from_mm(mm * (p[kV] + g5x[kV]));
     at.w = Length::from_mm(mm * (p[kW] + g5x[kW]));
-    if (state.dynamic_offset) {
-        at.x += Length::from_mm(mm * (*state.dynamic_offset)[kX]);
-        at.y += Length::from_mm(mm * (*state.dynamic_offset)[kY]);
-        at.z += Length::from_mm(mm * (*state.dynamic_offset)[kZ]);
+    if (state.frames.dynamic_offset) {
+        at.x += Length::from_mm(mm * (*state.frames.dynamic_offset)[kX]);
+        at.y += Length::from_mm(mm * (*state.frames.dynamic_offset)[kY]);
+        at.z += Length::from_mm(mm * (*state.frames.dynamic_offset)[kZ]);
     }
     out.frame = state.frame;
     return out;
@@ -125,7 +107,7 @@ Path::Place Path::target(const MachineState& state, const Place& from, const Axe
             to.frame[i] = kMachinePlace;
             continue;
         }
-        if (!is_known(state.known, i) || from.frame[i] == to.frame[i]) continue;
+        if (!state.known[i] || from.frame[i] == to.frame[i]) continue;
         Length& there = coordinate(to.machine, i);
         const Length here = from.machine.*kCoordinates[i];
         const bool rests = !is_named && std::abs((there - here).mm()) < kRounding;
@@ -160,15 +142,13 @@ Position Path::in_workpiece(const Place& place) const {
 
 Knowledge after_move(const MachineState& state, AxisMask mask, bool to_machine) {
     Knowledge knows{state.known, state.relative, state.of_machine};
-    const auto reach = [&](std::size_t axis, bool& known, bool& relative, bool& of_machine) {
-        if ((mask & 1U << axis) == 0) return;
-        relative = state.incremental && !to_machine && (relative || of_machine || !known);
-        of_machine = to_machine && state.frame[axis] != 0;
-        known = true;
-    };
-    reach(kX, knows.known.x, knows.relative.x, knows.of_machine.x);
-    reach(kY, knows.known.y, knows.relative.y, knows.of_machine.y);
-    reach(kZ, knows.known.z, knows.relative.z, knows.of_machine.z);
+    for (std::size_t i = kX; i <= kZ; ++i) {
+        if ((mask & 1U << i) == 0) continue;
+        knows.relative[i] = state.incremental && !to_machine &&
+                            (knows.relative[i] || knows.of_machine[i] || !knows.known[i]);
+        knows.of_machine[i] = to_machine && state.frame[i] != 0;
+        knows.known[i] = true;
+    }
     return knows;
 }
 
@@ -207,7 +187,7 @@ void Path::fill(const MachineState& state, MoveKind kind, AxisMask mask) {
     motion_.coolant = state.coolant;
     motion_.tool = state.tool;
     motion_.coordinates = state.coordinates;
-    motion_.length = Length::from_mm(state.tool_offset[kZ] * state.unit_mm());
+    motion_.length = Length::from_mm(state.frames.tool_offset[kZ] * state.unit_mm());
     motion_.known_start = state.known;
     const Knowledge end = after_move(state, mask, machine_coordinates_);
     motion_.known_end = end.known;
@@ -247,17 +227,16 @@ void Path::shift_unspecified(std::size_t axis, double distance_mm) {
 void Path::compare_offset(const ProgramFrame& frame, const OriginFrame& origin_frame,
                           const std::array<bool, 3>& is_zero_by_hand) {
     constexpr double kSame = 1e-3;  // mm
-    constexpr int kNamed = 9;
     const int system = frame.system;
     const double unit = frame.inches ? 25.4 : 1.0;
     if (!compared_.insert(system).second) return;
     const auto written_at = offset_places_.find(system);
     if (written_at == offset_places_.end()) return;
     const Position* specified = nullptr;
-    if (system <= kNamed) {
+    if (system <= kExtended) {
         const auto index = static_cast<std::size_t>(system - 1);
         if (options_.work_offsets_specified[index]) specified = &options_.work_offsets[index];
-    } else if (const auto found = options_.extended_offsets.find(system - kNamed);
+    } else if (const auto found = options_.extended_offsets.find(system - kExtended);
                found != options_.extended_offsets.end()) {
         specified = &found->second;
     }
@@ -318,12 +297,12 @@ void Path::emit(const MachineState& state, const Place& from, const Place& to,
     const bool cuts = motion_.kind != MoveKind::Rapid && start_of(motion_);
     if (bound_) {
         if (cuts && !compared_.contains(state.system))
-            compare_offset(frame_of(state), state.frame, state.is_zero_by_hand);
+            compare_offset(frame_of(state), state.frame, state.frames.is_zero_by_hand);
         emit_motion(motion_, frame_of(state), from, to, centre, plane_origin);
         return;
     }
-    held_.push_back({motion_, frame_of(state), from, to, centre, plane_origin, state.zero_92,
-                     state.is_zero_by_hand, state.dynamic_offset_home, state.frame});
+    held_.push_back({motion_, frame_of(state), from, to, centre, plane_origin, state.frames.zero_92,
+                     state.frames.is_zero_by_hand, state.frames.dynamic_offset_home, state.frame});
     if (cuts || held_.size() >= kMostHeld) bind(HeldMotion(held_.back()));
 }
 
@@ -340,9 +319,8 @@ void Path::emit_motion(Motion& motion, const ProgramFrame& frame, const Place& f
     bool ends_elsewhere = false;
     bool starts_elsewhere = false;
     for (std::size_t i = 0; i < 3; ++i) {
-        ends_elsewhere |= is_known(motion.known_end, i) && !is_related(to, i);
-        starts_elsewhere |=
-            is_known(motion.known_start, i) && !is_related(from, i) && !is_at_height;
+        ends_elsewhere |= motion.known_end[i] && !is_related(to, i);
+        starts_elsewhere |= motion.known_start[i] && !is_related(from, i) && !is_at_height;
     }
     motion.offset_unknown = ends_elsewhere || starts_elsewhere;
     if (auto* line = std::get_if<Linear>(&motion.action)) {
@@ -398,7 +376,7 @@ void Path::emit_motion(Motion& motion, const ProgramFrame& frame, const Place& f
 /// `system`: the active system.
 void Path::warn_of_frame(const Motion& motion, const Place& to, int system) {
     std::size_t axis = 0;
-    while (axis < 2 && (!is_known(motion.known_end, axis) || is_related(to, axis)))
+    while (axis < 2 && (!motion.known_end[axis] || is_related(to, axis)))
         ++axis;
     const bool is_specified = to.frame[axis] == 0;
     if (!is_specified) system = to.frame[axis];
@@ -466,12 +444,12 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
     centre[axes.second] = arc.centre_2;
     const Place arc_centre = place(state, centre);
     Axes whole = end;
-    if (full && state.plane_frame) {
+    if (full && state.frames.tilt) {
         whole[axes.first] = state.position[axes.first];
         whole[axes.second] = state.position[axes.second];
     }
     Place to = target(state, from, whole, mask);
-    if (full && !state.plane_frame) {  // The two ends are exactly equal, whatever the rounding.
+    if (full && !state.frames.tilt) {  // The two ends are exactly equal, whatever the rounding.
         for (const std::size_t axis : {axes.first, axes.second}) {
             if (axis == kX) to.machine.x = from.machine.x;
             if (axis == kY) to.machine.y = from.machine.y;
@@ -485,10 +463,10 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
     if (state.feed_mode != FeedMode::InverseTime) motion_.feed *= state.unit_mm();
     Arc out{{}, {}, state.plane, {}, {}, arc.turns, {}};
     std::optional<Place> plane_origin;
-    if (state.plane_frame) {
+    if (state.frames.tilt) {
         out.centre_1 = Length::from_mm(arc.centre_1 * state.unit_mm());
         out.centre_2 = Length::from_mm(arc.centre_2 * state.unit_mm());
-        out.tilted = turn_about(2, state.rotation) * *state.plane_frame;
+        out.tilted = turn_about(2, state.frames.rotation) * *state.frames.tilt;
         plane_origin = place(state, {});
     }
     motion_.action = out;

@@ -62,9 +62,6 @@ void set_knowledge(MachineState& state, const Knowledge& knows);
 /// Records a move of the axes `mask`: knowledge and reference of the positions.
 void record_move(MachineState& state, AxisMask mask, bool to_machine);
 
-/// Converts program coordinates to coordinates outside of the tilted plane, including G92 and G52.
-Axes to_untilted(const MachineState& state, const Axes& p);
-
 /// Makes motions and passes the motions to the sink.
 class Path {
 public:

@@ -2,13 +2,14 @@
 //
 // G5, G5.1 (Bézier curves), G5.2/G5.3 and G6.2 (NURBS) in the XY plane.
 // Source: Piegl, Tiller, "The NURBS Book", 1997.
-#include "control/machine.h"
+#include "control/paths/path_steps.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace ncsim::gcode {
 namespace {
@@ -42,146 +43,148 @@ std::optional<std::string_view> other_axis(const Command& command, std::string_v
     return std::nullopt;
 }
 
+/// Moves along the curve, and discards the points.
+void finish_curve(ControlState& control, std::vector<double> knots, Context& context) {
+    MachineState& state = control.machine;
+    const Curve curve = std::exchange(control.curve, {});
+    Spline spline;
+    spline.order = curve.order;
+    spline.control_points.assign(curve.points.begin(), curve.points.end());
+    spline.knots = std::move(knots);
+    Axes end = state.position;
+    end[kX] = curve.points.back().x.mm();
+    end[kY] = curve.points.back().y.mm();
+    context.path.spline(state, spline, end, 1U << kX | 1U << kY);
+}
+
 }  // namespace
 
-bool Machine::spline(const Command& command, Code motion) {
+bool spline_move(MachineState& state, const Command& command, Code motion, Context& context) {
     const std::string_view name = motion == Code::G5 ? "G5" : "G5.1";
-    if (state_.plane != Plane::XY) return fail(Message::SplinePlane, command.span, {name});
-    if (const auto axis = other_axis(command, rules_.strict ? "XYUVW@^" : "XYZUVW@^")) {
-        return fail(Message::SplineAxes, command.span,
-                    {name, rules_.strict ? "X and Y" : "linear axes", *axis});
+    if (state.plane != Plane::XY) return fail(context, Message::SplinePlane, command.span, {name});
+    if (const auto axis = other_axis(command, context.rules.strict ? "XYUVW@^" : "XYZUVW@^")) {
+        return fail(context, Message::SplineAxes, command.span,
+                    {name, context.rules.strict ? "X and Y" : "linear axes", *axis});
     }
-    if (!needs_feed(command, name)) return false;
+    if (!needs_feed(state, command, name, context)) return false;
     Axes end{};
     AxisMask mask = 0;
-    if (!find_ends(command, end, mask)) return false;
-    const double x0 = state_.position[kX];
-    const double y0 = state_.position[kY];
+    if (!find_ends(state, command, end, mask, context)) return false;
+    const double x0 = state.position[kX];
+    const double y0 = state.position[kY];
     Spline out;
     if (motion == Code::G5_1) {
         if (!command.has('I') && !command.has('J')) {
-            return fail(Message::SplineWords, command.span, {name, "I or J"});
+            return fail(context, Message::SplineWords, command.span, {name, "I or J"});
         }
         out.order = 3;
         out.control_points = {point(x0, y0),
                               point(x0 + command.get('I', 0.0), y0 + command.get('J', 0.0)),
                               point(end[kX], end[kY])};
-        state_.previous_was_spline = false;
+        state.previous_was_spline = false;
     } else {
         if (!command.has('P') || !command.has('Q')) {
-            return fail(Message::SplineWords, command.span, {name, "P and Q"});
+            return fail(context, Message::SplineWords, command.span, {name, "P and Q"});
         }
         double i = command.get('I', 0.0);
         double j = command.get('J', 0.0);
         if (!command.has('I') && !command.has('J')) {
-            if (!state_.previous_was_spline)
-                return fail(Message::SplineWords, command.span, {name, "I and J"});
-            i = -state_.last_pq[0];  // Continues the tangent of the previous curve.
-            j = -state_.last_pq[1];
+            if (!state.previous_was_spline)
+                return fail(context, Message::SplineWords, command.span, {name, "I and J"});
+            i = -state.last_pq[0];  // Continues the tangent of the previous curve.
+            j = -state.last_pq[1];
         }
-        state_.last_pq = {command['P'], command['Q']};
+        state.last_pq = {command['P'], command['Q']};
         out.control_points = {point(x0, y0), point(x0 + i, y0 + j),
-                              point(end[kX] + state_.last_pq[0], end[kY] + state_.last_pq[1]),
+                              point(end[kX] + state.last_pq[0], end[kY] + state.last_pq[1]),
                               point(end[kX], end[kY])};
-        state_.previous_was_spline = true;
+        state.previous_was_spline = true;
     }
     out.knots = clamped_knots(out.control_points.size(), out.order);
-    path_.spline(state_, out, end, mask);
+    context.path.spline(state, out, end, mask);
     return true;
 }
 
-/// G5.2 opens a curve and gives the first points, further blocks give points, G5.3 closes the
-/// curve.
-bool Machine::nurbs(const Command& command, Code motion) {
-    Curve& curve = control_.curve;
+bool nurbs_move(ControlState& control, const Command& command, Code motion, Context& context) {
+    MachineState& state = control.machine;
+    Curve& curve = control.curve;
     if (motion == Code::G5_2) {
         if (!curve.by_points) {
             curve = {};
             curve.order = static_cast<int>(std::clamp(command.get('L', 3.0), 2.0, 20.0));
             curve.points.push_back(
-                point(state_.position[kX], state_.position[kY], command.get('P', 1.0)));
+                point(state.position[kX], state.position[kY], command.get('P', 1.0)));
             curve.by_points = true;
         }
         if (const auto axis = other_axis(command, "XY")) {
-            return fail(Message::SplineAxes, command.span, {"G5.2", "X and Y", *axis});
+            return fail(context, Message::SplineAxes, command.span, {"G5.2", "X and Y", *axis});
         }
         if (!command.has_any(letters('X', 'Y'))) return true;
         if (curve.points.size() >= kMostPoints) {
-            return fail(Message::SplineTooLong, command.span);
+            return fail(context, Message::SplineTooLong, command.span);
         }
         const Spline::ControlPoint& last = curve.points.back();
-        double x = command.get('X', state_.incremental ? 0.0 : last.x.mm());
-        double y = command.get('Y', state_.incremental ? 0.0 : last.y.mm());
-        if (state_.incremental) x += last.x.mm(), y += last.y.mm();
+        double x = command.get('X', state.incremental ? 0.0 : last.x.mm());
+        double y = command.get('Y', state.incremental ? 0.0 : last.y.mm());
+        if (state.incremental) x += last.x.mm(), y += last.y.mm();
         curve.points.push_back(point(x, y, command.get('P', 1.0)));
         return true;
     }
-    if (!curve.by_points) return fail(Message::SplineNotOpen, command.span);
-    curve_fails_ = true;  // Reset if the curve is completed.
+    if (!curve.by_points) return fail(context, Message::SplineNotOpen, command.span);
+    context.curve_fails = true;  // Reset if the curve is completed.
     const std::size_t points = curve.points.size();
     if (points < static_cast<std::size_t>(curve.order)) {
-        return fail(Message::SplineTooFewPoints, command.span);
+        return fail(context, Message::SplineTooFewPoints, command.span);
     }
-    if (!needs_feed(command, "G5.3")) return false;
-    finish_curve(clamped_knots(points, curve.order));
+    if (!needs_feed(state, command, "G5.3", context)) return false;
+    finish_curve(control, clamped_knots(points, curve.order), context);
     return true;
 }
 
-/// Moves along the curve, and discards the points.
-void Machine::finish_curve(std::vector<double> knots) {
-    const Curve curve = std::exchange(control_.curve, {});
-    Spline spline;
-    spline.order = curve.order;
-    spline.control_points.assign(curve.points.begin(), curve.points.end());
-    spline.knots = std::move(knots);
-    Axes end = state_.position;
-    end[kX] = curve.points.back().x.mm();
-    end[kY] = curve.points.back().y.mm();
-    path_.spline(state_, spline, end, 1U << kX | 1U << kY);
-}
-
-/// G6.2 X Y R K P: control points with weight and knot, the order in the first block. Blocks with
-/// only a knot end the curve. The curve begins at the first control point.
-bool Machine::nurbs_with_knots(const Command& command) {
-    Curve& curve = control_.curve;
-    if (state_.plane != Plane::XY) return fail(Message::SplinePlane, command.span, {"G6.2"});
+bool nurbs_move_with_knots(ControlState& control, const Command& command, Context& context) {
+    MachineState& state = control.machine;
+    Curve& curve = control.curve;
+    if (state.plane != Plane::XY)
+        return fail(context, Message::SplinePlane, command.span, {"G6.2"});
     if (const auto axis = other_axis(command, "XY")) {
-        return fail(Message::SplineAxes, command.span, {"G6.2", "X and Y", *axis});
+        return fail(context, Message::SplineAxes, command.span, {"G6.2", "X and Y", *axis});
     }
-    if (!needs_feed(command, "G6.2")) return false;
+    if (!needs_feed(state, command, "G6.2", context)) return false;
     if (!curve.by_knots) {
         curve = {};
-        if (!command.has('P')) return fail(Message::SplineWords, command.span, {"G6.2", "P"});
+        if (!command.has('P'))
+            return fail(context, Message::SplineWords, command.span, {"G6.2", "P"});
         curve.order = static_cast<int>(std::clamp(command['P'], 2.0, 20.0));
         curve.by_knots = true;
     }
-    if (!command.has('K')) return fail(Message::SplineWords, command.span, {"G6.2", "K"});
+    if (!command.has('K')) return fail(context, Message::SplineWords, command.span, {"G6.2", "K"});
     if (curve.points.size() >= kMostPoints) {
-        return fail(Message::SplineTooLong, command.span);
+        return fail(context, Message::SplineTooLong, command.span);
     }
     const bool falls = !curve.knots.empty() && command['K'] < curve.knots.back();
     curve.knots.push_back(command['K']);
     if (command.has_any(letters('X', 'Y'))) {
         Axes end{};
         AxisMask mask = 0;
-        if (!find_ends(command, end, mask)) return false;
+        if (!find_ends(state, command, end, mask, context)) return false;
         curve.points.push_back(point(end[kX], end[kY], command.get('R', 1.0)));
     }
     const std::size_t points = curve.points.size();
     const auto order = static_cast<std::size_t>(curve.order);
     if (!falls && curve.knots.size() < points + order) return true;
     if (falls || points < order || !(curve.knots[points] > curve.knots[order - 1])) {
-        curve_fails_ = true;
-        return fail(falls ? Message::SplineKnots : Message::SplineTooFewPoints, command.span);
+        context.curve_fails = true;
+        return fail(context, falls ? Message::SplineKnots : Message::SplineTooFewPoints,
+                    command.span);
     }
     // The tool moves to the first control point before the curve.
-    Axes start = state_.position;
+    Axes start = state.position;
     start[kX] = curve.points.front().x.mm();
     start[kY] = curve.points.front().y.mm();
-    if (start != state_.position) {
-        path_.linear_move(state_, start, MoveKind::Feed, 1U << kX | 1U << kY);
+    if (start != state.position) {
+        context.path.linear_move(state, start, MoveKind::Feed, 1U << kX | 1U << kY);
     }
-    finish_curve({curve.knots.begin(), curve.knots.end()});
+    finish_curve(control, {curve.knots.begin(), curve.knots.end()}, context);
     return true;
 }
 

@@ -48,7 +48,7 @@ struct Step {
     /// Cells for the material that the preceding straight steps along a line removed, over at most
     /// the tool's diameter, if this step does not continue that line.
     std::span<const cda::Cell> preceding_cells;
-    /// Round sweeps instead of cells, after prefer_sweeps().
+    /// Round sweeps instead of cells, with WalkOptions::prefers_sweeps.
     std::span<const cda::RoundSweep> sweeps;
     bool is_near = false;    ///< True if the stock is near enough for cells.
     SampleBounds bounds;     ///< Bounds of the motion that the step belongs to.
@@ -66,20 +66,26 @@ struct WatchedParts {
     bool shanks = false;  ///< True to follow the pieces that do not cut, too.
 };
 
+/// Everything that determines the steps of a traversal, besides the tools and the motions.
+struct WalkOptions {
+    ToolAccuracy accuracy = {};
+    SamplingOptions sampling = {};
+    RapidPath rapid = {};
+    WatchedParts watch = {};
+    std::shared_ptr<const Kinematics> specified = nullptr;  ///< The specified machine, or null.
+    /// True for steps with `sweeps` instead of cells, whatever the accuracy, for tools whose
+    /// cutting pieces are all cda::RoundSweep's, while the tool is upright.
+    bool prefers_sweeps = false;
+    /// False for steps without `merged_cells` and `preceding_cells`.
+    bool merges_cells = true;
+};
+
 /// Traversal of motions with the tools and the machine of a program.
 class Walk {
 public:
-    /// Starts a traversal. Cells whose bounds do not overlap `stock` (mm, W) are left out. The last
-    /// parameter is the specified machine, or null.
-    Walk(const cda::Lattice& lattice, const Box& stock, const ToolAccuracy& accuracy,
-         const SamplingOptions& sampling, RapidPath rapid = {}, const WatchedParts& watch = {},
-         std::shared_ptr<const Kinematics> specified = nullptr);
+    /// Starts a traversal. Cells whose bounds do not overlap `stock` (mm, W) are left out.
+    Walk(const cda::Lattice& lattice, const Box& stock, WalkOptions options);
 
-    /// Makes the following steps have `sweeps` instead of cells, whatever the accuracy, for tools
-    /// whose cutting pieces are all cda::RoundSweep's, while the tool is upright.
-    void prefer_sweeps() { prefers_sweeps_ = true; }
-    /// Makes the following steps have no `covering` and no `straight`.
-    void disable_merged_cells() { merges_cells_ = false; }
     /// Adds `tool` under `number`. The first tool of a number counts.
     const Cutter& add_tool(int number, const Tool& tool);
     /// Limits the following cells to tools near `place` (mm, W); all cells if empty.
@@ -144,20 +150,14 @@ private:
 
     cda::Lattice lattice_;
     Box stock_;
-    ToolAccuracy accuracy_;
-    SamplingOptions sampling_;
-    double gain_mm_;   // allowed gain of the hulls of rotating tools
-    double slack_mm_;  // largest part of gain_mm_ for leaving out facets
-    RapidPath rapid_;
-    WatchedParts watch_;
-    std::shared_ptr<const Kinematics> specified_;
+    WalkOptions options_;         // without the part of the gain that facets have at least
+    double gain_mm_;              // allowed gain of the hulls of rotating tools
+    double slack_mm_;             // largest part of gain_mm_ for leaving out facets
     Box place_;                   // stock and watched place
     std::optional<Box> region_;   // place of wanted cells
     bool skips_motions_ = false;  // whether motions away from region_ are single steps
     Cutter::Rotation upright_ = pose_at({}).rows;
     std::map<int, ToolData> tools_;
-    bool prefers_sweeps_ = false;
-    bool merges_cells_ = true;
     std::vector<cda::Cell> cells_;            // of one step; kept to reuse its memory
     std::vector<cda::Cell> merged_cells_;     // as cells_
     std::vector<cda::Cell> preceding_cells_;  // as cells_
