@@ -38,7 +38,7 @@ std::vector<verify::LineRange> lines_of(const DesignRegion& region, const Simula
 
 Finding finding_for(const DesignRegion& region, const Simulation& simulation) {
     Finding f;
-    const Cut& cut = simulation.cuts.at(static_cast<std::size_t>(region.origin));
+    const CutRecord& cut = simulation.cuts.at(static_cast<std::size_t>(region.origin));
     f.place = f.last = cut.place;
     f.first_motion = f.last_motion = cut.motion;
     f.tool = cut.tool;

@@ -17,18 +17,22 @@
 #include "operation_course.h"
 #include "simulation_messages.h"
 #include "until_line.h"
+#include "upright_runs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace ncsim::simulation {
@@ -133,7 +137,10 @@ public:
           tool_volumes_(plan.tool_volumes || plan.tile || plan.tiles),
           place_of_tile_(tile_ ? result.part->wanted() : std::nullopt),
           volume_(result.stock_volume),
-          course_(plan.job.operations) {
+          course_(plan.job.operations),
+          runs_([&result](std::size_t cut, const gcode::Linear& line, double moved_mm) {
+              set_path(result.cuts[cut], line).moved_mm = moved_mm;
+          }) {
         if (result.part->supports_sweeps()) walk_.prefer_sweeps();
         if (verification.own_lines) walk_.disable_merged_cells();
         for (const auto& [number, used] : survey.tools) {
@@ -150,7 +157,73 @@ public:
     /// Ignores all motions after the first `count`.
     void stop_after(std::uint64_t count) { most_motions_ = count; }
 
-    void take(const gcode::Motion& motion) {
+    /// Cuts the next `count` motions of the program, which were joined to `motion`.
+    void take(const gcode::Motion& motion, std::size_t count) {
+        const std::size_t cuts_before = result_.cuts.size();
+        remove(motion, count);
+        numbered_ += count;
+        // On specified machines, any move may rotate the tool.
+        if (!keep_cuts_ || machine_) return;
+        const bool has_cut = result_.cuts.size() > cuts_before;
+        runs_.take(motion, has_cut ? std::optional(cuts_before) : std::nullopt);
+    }
+
+    /// Updates surface and volume of the result.
+    void pause(bool needs_surface) {
+        if (needs_surface) result_.boundary = result_.part->boundary();
+        result_.part_volume = result_.part->volume();
+    }
+
+    /// Completes the result. Requires: the last motion was added.
+    void finish(bool needs_surface) {
+        // Computes the surface first, because this also computes the volume.
+        if (needs_surface) result_.boundary = result_.part->boundary();
+        if (result_.boundary && tiles_) name_motions(*result_.boundary, result_);
+        if (tiles_ && next_contact_ != tiles_->stock_contacts.size()) refuse_tiles();
+        runs_.flush();
+        const auto tool_position = result_.tool_position;
+        change_tool(0);
+        if (tool_volumes_ && !verifier_) result_.removed_by_operation.resize(operation_ + 1);
+        result_.tool_position = tool_position;
+        result_.part_volume = verifier_ || !tool_volumes_ ? result_.part->volume() : volume_;
+        result_.part_volume_error = result_.part->volume_error();
+        if (const auto aliasing = result_.part->aliasing()) {
+            const auto line_of = [&](cda::Origin origin) {
+                return result_.provenance.entries[static_cast<std::size_t>(origin)].nc_line;
+            };
+            result_.aliasing.emplace(report::AliasingFacts{
+                *aliasing, line_of(aliasing->material.origin), line_of(aliasing->gaps.origin)});
+        }
+        if (!places_) return;
+        for (const auto& [origin, taken] : result_.part->account()) {
+            const auto place = places_->find(origin);
+            if (place != places_->end() && taken.volume > 0.0)
+                result_.removed_by_block[place->second] += taken.volume;
+        }
+    }
+
+private:
+    static CutPath& set_path(CutRecord& cut, const gcode::Linear& line) {
+        const auto place = [](const gcode::Position& p) {
+            return Vec3{p.x.mm(), p.y.mm(), p.z.mm()};
+        };
+        if (!cut.path) cut.path = std::make_unique<CutPath>();
+        cut.path->from = place(line.from);
+        cut.path->to = place(line.to);
+        return *cut.path;
+    }
+
+    void record_cut(const gcode::Motion& motion, std::size_t count) {
+        CutRecord& cut = result_.cuts.emplace_back();
+        cut.place = result_.last_cut;
+        cut.motion = numbered_ + 1;
+        cut.tool = motion.tool;
+        const std::optional<Vec3> line_start = walk_.line_start();
+        if (count == 1 && !line_start) return;
+        set_path(cut, std::get<gcode::Linear>(motion.action)).line_start = line_start;
+    }
+
+    void remove(const gcode::Motion& motion, std::size_t count) {
         line_ = motion.span.line;
         if (motions_ == most_motions_) return;
         ++motions_;
@@ -194,46 +267,12 @@ public:
         result_.last_motion = motions_;
         result_.provenance.entries.push_back(
             {motion.span.line, static_cast<std::uint32_t>(std::max(0, motion.tool))});
-        if (keep_cuts_) result_.cuts.push_back({result_.last_cut, motions_, motion.tool});
+        if (keep_cuts_) record_cut(motion, count);
         if (places_) (*places_)[origin] = {motion.file, motion.span.line};
         result_.bounds.missed_mm = std::max(result_.bounds.missed_mm, bounds.missed_mm);
         result_.bounds.gained_mm = std::max(result_.bounds.gained_mm, bounds.gained_mm);
     }
 
-    /// Updates surface and volume of the result.
-    void pause(bool needs_surface) {
-        if (needs_surface) result_.boundary = result_.part->boundary();
-        result_.part_volume = result_.part->volume();
-    }
-
-    /// Completes the result. Requires: the last motion was added.
-    void finish(bool needs_surface) {
-        // Computes the surface first, because this also computes the volume.
-        if (needs_surface) result_.boundary = result_.part->boundary();
-        if (result_.boundary && tiles_) name_motions(*result_.boundary, result_);
-        if (tiles_ && next_contact_ != tiles_->stock_contacts.size()) refuse_tiles();
-        const auto tool_position = result_.tool_position;
-        change_tool(0);
-        if (tool_volumes_ && !verifier_) result_.removed_by_operation.resize(operation_ + 1);
-        result_.tool_position = tool_position;
-        result_.part_volume = verifier_ || !tool_volumes_ ? result_.part->volume() : volume_;
-        result_.part_volume_error = result_.part->volume_error();
-        if (const auto aliasing = result_.part->aliasing()) {
-            const auto line_of = [&](cda::Origin origin) {
-                return result_.provenance.entries[static_cast<std::size_t>(origin)].nc_line;
-            };
-            result_.aliasing.emplace(report::AliasingFacts{
-                *aliasing, line_of(aliasing->material.origin), line_of(aliasing->gaps.origin)});
-        }
-        if (!places_) return;
-        for (const auto& [origin, taken] : result_.part->account()) {
-            const auto place = places_->find(origin);
-            if (place != places_->end() && taken.volume > 0.0)
-                result_.removed_by_block[place->second] += taken.volume;
-        }
-    }
-
-private:
     // Adds the stock and the motions of earlier runs.
     void begin_provenance(const StockHistory* history) {
         mesh::Provenance& provenance = result_.provenance;
@@ -417,6 +456,8 @@ private:
     double volume_;               // at the last tool change
     bool is_near_stock_ = false;  // whether the tool was near the stock since its change
     OperationCourse course_;
+    UprightRuns runs_;            // of recorded cuts
+    std::uint64_t numbered_ = 0;  // motions of the program so far, without joining
     std::size_t operation_ = 0;
     bool has_covered_ = false;               // whether combined cells belong to the current motion
     std::vector<cda::Cell> combined_cells_;  // combined cells of steps that are not near
@@ -482,7 +523,8 @@ Simulation simulate(const Plan& plan, const Survey& survey, const Verification& 
     std::uint64_t moves = 0;
     MoveJoiner joiner(
         verification.verifier ? 0.0 : plan.join_tolerance,
-        [&](const gcode::Motion& motion) { mill.take(motion); }, plan.job.operations);
+        [&](const gcode::Motion& motion, std::size_t count) { mill.take(motion, count); },
+        plan.job.operations);
     for_each_motion(plan, [&](const gcode::Motion& motion) {
         joiner.take(motion);
         ++motions;
