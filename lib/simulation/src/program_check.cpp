@@ -506,10 +506,7 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
         share.evidence = verification_options.tiles->evidence;
     }
     verify::Setup setup = specified;
-    Refiner refiner(plan, survey, specified);
-    setup.refine_contact = [&refiner](const verify::OpenContact& contact) {
-        return refiner.decide(contact);
-    };
+    setup.decides_contacts = true;
     verify::Verifier verifier(std::move(setup), all.stock(), all.lattice(), std::move(share));
     verifier.add(survey.diagnostics);
     if (!verification_options.machine.bodies.empty() && !specified.machine.work_zero) {
@@ -524,6 +521,10 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
     if (checked.simulated) {
         Verification verification = all.verification();
         verification.verifier = &verifier;
+        Refiner refiner(plan, survey, specified);
+        verification.decide = [&refiner](const verify::OpenContact& contact) {
+            return refiner.decide(contact);
+        };
         verification.keep_cuts |= verification_options.wants_page;
         std::optional<PlayRecorder> play;
         if (verification_options.wants_page) {

@@ -26,6 +26,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -118,6 +119,7 @@ public:
         : result_(result),
           walk_(make_walk(plan, survey, result.lattice, verification)),
           verifier_(verification.verifier),
+          decide_(verification.decide),
           most_cuts_(verification.most_cuts),
           only_motion_(verification.only_motion),
           nearest_to_(verification.nearest_to),
@@ -256,7 +258,7 @@ private:
             walk_.at_end_position(motion, origin, [&](const toolpath::Step& step) {
                 verifier->at_end_position(step, *result_.part);
             });
-            verifier->end(result_.part.get());
+            end_motion(*verifier);
         } else if (!verifier_ && bounds.missed_mm > 1.001 * tolerance_mm_) {
             add_missed(motion, bounds.missed_mm);
         }
@@ -282,6 +284,14 @@ private:
             provenance.earlier_programs = history->programs;
         }
         if (keep_cuts_) result_.cuts.resize(provenance.entries.size());
+    }
+
+    void end_motion(verify::Verifier& verifier) {
+        const auto contacts = verifier.end_steps(result_.part.get());
+        std::vector<verify::ContactDecision> decisions;
+        if (!contacts.empty() && decide_)
+            std::ranges::transform(contacts, std::back_inserter(decisions), decide_);
+        verifier.judge(decisions);
     }
 
     // Sets the position of the tool to the pose of the step that is nearest to the point.
@@ -428,6 +438,7 @@ private:
     Simulation& result_;
     toolpath::Walk walk_;
     verify::Verifier* verifier_;
+    std::function<verify::ContactDecision(const verify::OpenContact&)> decide_;
     std::optional<std::uint32_t> most_cuts_;
     std::optional<std::uint64_t> only_motion_;
     std::optional<Vec3> nearest_to_;

@@ -83,6 +83,8 @@ class PlayRecorder;
 struct Verification {
     /// Receives every motion; null without verification. Requires: a model that verifies.
     verify::Verifier* verifier = nullptr;
+    /// Decides contacts that `verifier` leaves open; empty: the contacts stay open.
+    std::function<verify::ContactDecision(const verify::OpenContact&)> decide;
     toolpath::RapidPath rapid;
     toolpath::WatchedParts watch;
     /// Side of the error of the tools that cut the part. Certain results need a known side.
