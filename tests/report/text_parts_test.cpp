@@ -2,7 +2,6 @@
 //
 // Parts that reports are made of: numbers, times, escapes, lines, fingerprints, JSON piece by
 // piece.
-#include "ncsim/report/json_string.h"
 #include "ncsim/report/machining_time.h"
 
 #include "fingerprint.h"
@@ -83,13 +82,6 @@ TEST(Markup, EscapesWhatTagsAndAttributesMean) {
     EXPECT_EQ(valid_utf8("a\xC3\xA4"), "a\xC3\xA4");
     EXPECT_EQ(valid_utf8("a\xC3"), "a\xEF\xBF\xBD");
     EXPECT_EQ(valid_utf8("\xFFz"), "\xEF\xBF\xBDz");
-}
-
-TEST(JsonString, IsQuotedAndEscaped) {
-    EXPECT_EQ(json_string(""), "\"\"");
-    EXPECT_EQ(json_string("a\"b\\c\n"), "\"a\\\"b\\\\c\\n\"");
-    EXPECT_EQ(json_string(std::string_view("\0", 1)), "\"\\u0000\"");
-    EXPECT_EQ(json_string("\xFF"), "\"\xEF\xBF\xBD\"");
 }
 
 TEST(SourceLines, EndInAnyLineEnd) {

@@ -3,7 +3,7 @@
 // Writes HTML pages.
 #include "check/pages.h"
 
-#include "ncsim/report/file_names.h"
+#include "ncsim/base/file_names.h"
 #include "ncsim/report/page.h"
 #include "ncsim/report/page_index.h"
 
@@ -41,7 +41,7 @@ std::vector<std::string> names_of(const std::vector<std::string>& programs) {
     std::vector<std::string> names;
     for (const std::string& program : programs) {
         // File systems may ignore letter case.
-        names.push_back(plain_name(report::relative_path(program)).substr(0, 150));
+        names.push_back(plain_name(relative_path(program)).substr(0, 150));
         std::string lower = names.back();
         for (char& c : lower)
             c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;

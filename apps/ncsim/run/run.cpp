@@ -3,6 +3,7 @@
 // Simulates a program and writes the outputs.
 #include "run/run.h"
 
+#include "ncsim/base/plain_text.h"
 #include "ncsim/brep/flat_part.h"
 #include "ncsim/brep/recognise.h"
 #include "ncsim/cda/triangulate.h"
@@ -17,7 +18,6 @@
 #include "ncsim/mesh/simplify.h"
 #include "ncsim/report/assumption_sheet.h"
 #include "ncsim/report/page.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/report/run_report.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/recorded_input.h"
@@ -277,7 +277,7 @@ int run(Options options) {
                         survey.moves));
     }
     if (!o.quiet && !o.project.empty())
-        print_error(fmt::format("settings  {}\n", report::printable_path(o.project)));
+        print_error(fmt::format("settings  {}\n", printable_path(o.project)));
     for (const std::string& what : not_used)
         print_error("not used: " + what + "\n");
     print_findings(plan.job.program, survey.diagnostics);

@@ -3,10 +3,10 @@
 // The assumption sheet.
 #include "ncsim/report/assumption_sheet.h"
 
+#include "ncsim/base/plain_text.h"
+#include "ncsim/base/version.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/report/value_source.h"
-#include "ncsim/report/version.h"
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/verify/machine_description.h"
 

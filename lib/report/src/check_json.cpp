@@ -3,8 +3,8 @@
 // Verdicts as JSON.
 #include "ncsim/report/check_json.h"
 
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/version.h"
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/version.h"
 #include "ncsim/verify/rule.h"
 
 #include "json.h"

@@ -3,8 +3,8 @@
 // Verdicts as text.
 #include "ncsim/report/check_text.h"
 
+#include "ncsim/base/plain_text.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/verify/rule.h"
 
 #include "append.h"

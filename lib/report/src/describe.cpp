@@ -3,8 +3,8 @@
 // Descriptions of boxes, stock, volumes and lines.
 #include "ncsim/report/describe.h"
 
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/plain_text.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 // The ledger as CSV.
 #include "ncsim/report/ledger_csv.h"
 
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/plain_text.h"
 
 #include "ledger_operations.h"
 #include "shares.h"

@@ -3,10 +3,10 @@
 // Writes the index of pages.
 #include "ncsim/report/page_index.h"
 
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/version.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/file_names.h"
 #include "ncsim/report/machining_time.h"
-#include "ncsim/report/version.h"
 
 #include "append.h"
 #include "markup.h"

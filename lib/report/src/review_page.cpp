@@ -3,9 +3,9 @@
 // Writes the review of changed programs.
 #include "ncsim/report/review_page.h"
 
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/version.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/version.h"
 
 #include "append.h"
 #include "markup.h"

@@ -3,12 +3,12 @@
 // Report at the end of a run.
 #include "ncsim/report/run_report.h"
 
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/plain_text.h"
+#include "ncsim/base/version.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/file_names.h"
 #include "ncsim/report/machining_time.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/report/value_source.h"
-#include "ncsim/report/version.h"
 #include "ncsim/verify/machine_description.h"
 
 #include "append.h"

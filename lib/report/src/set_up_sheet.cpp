@@ -3,9 +3,9 @@
 // Writes set-up sheets.
 #include "ncsim/report/set_up_sheet.h"
 
+#include "ncsim/base/version.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/report/machining_time.h"
-#include "ncsim/report/version.h"
 
 #include "markup.h"
 #include "operation_rows.h"

@@ -3,8 +3,8 @@
 // The tool sheet as text and JSON.
 #include "ncsim/report/tool_sheet.h"
 
+#include "ncsim/base/file_names.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/file_names.h"
 #include "ncsim/report/value_source.h"
 
 #include "append.h"

@@ -3,9 +3,9 @@
 // Follows a program up to a block, and collects what the block does.
 #include "ncsim/simulation/explain.h"
 
+#include "ncsim/base/file_names.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/positions.h"
-#include "ncsim/report/file_names.h"
 #include "ncsim/report/value_source.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/toolpath/tool.h"
@@ -112,7 +112,7 @@ std::optional<std::array<double, 3>> known_machine_position(const gcode::Machine
 std::uint32_t file_number(const std::vector<std::string>& files, const std::string& name) {
     if (name.empty()) return 0;
     const auto found = std::ranges::find_if(files, [&](const std::string& file) {
-        return file == name || report::base_name(file) == report::base_name(name);
+        return file == name || base_name(file) == base_name(name);
     });
     if (found == files.end())
         throw std::runtime_error(fmt::format("the program does not call a file '{}'", name));
@@ -206,7 +206,7 @@ report::Explanation explain(const Plan& plan, const Survey& survey, std::uint32_
 
     const std::uint32_t number = file_number(interpretation.files, file);
     report::Explanation result;
-    result.program = report::relative_path(plan.job.program.name);
+    result.program = relative_path(plan.job.program.name);
     result.file = number == 0 ? result.program : interpretation.files[number];
     result.line = line;
     const auto source = called.find(result.file);

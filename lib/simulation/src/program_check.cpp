@@ -4,8 +4,8 @@
 // readings.
 #include "ncsim/simulation/program_check.h"
 
+#include "ncsim/base/file_names.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/file_names.h"
 #include "ncsim/report/machining_time.h"
 #include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/simulation/apply_machine.h"
@@ -576,7 +576,7 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
     if (verification_options.wants_page) {
         if (!checked.page_data) checked.page_data.emplace();
         checked.page_data->source = plan.job.program.text;
-        checked.page_data->title = report::base_name(plan.job.program.name);
+        checked.page_data->title = base_name(plan.job.program.name);
     }
     checked.program = plan.job.label;
     name_program(checked.verdict, checked.program);

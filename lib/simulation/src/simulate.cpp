@@ -4,9 +4,9 @@
 // stage keeps more than a motion.
 #include "ncsim/simulation/simulate.h"
 
+#include "ncsim/base/file_names.h"
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/shape.h"
-#include "ncsim/report/file_names.h"
 #include "ncsim/simulation/models.h"
 #include "ncsim/simulation/play_recorder.h"
 #include "ncsim/simulation/stock_history.h"
@@ -149,7 +149,7 @@ public:
             const toolpath::Cutter& cutter = walk_.add_tool(number, used.tool);
             result.cutters[number] = {cutter.sides(), cutter.error_mm()};
         }
-        result.provenance.program = report::base_name(plan.job.program.name);
+        result.provenance.program = base_name(plan.job.program.name);
         begin_provenance(verification.history.get());
         if (play_) play_->begin(*result.part);
         if (plan.block_volumes) places_.emplace();
