@@ -12,8 +12,8 @@ set(layers
   "brep:     base gcode cda machine toolpath"
   "export:   base cda mesh brep"
   "setup:    base gcode toolpath machine cda verify"
-  "report:   base gcode toolpath machine cda verify setup"
-  "simulation: base gcode toolpath machine cda mesh dexel verify brep export report setup"
+  "simulation: base gcode toolpath machine cda mesh dexel verify brep export setup"
+  "report:   base gcode toolpath machine cda verify setup simulation"
   "app:      base gcode toolpath machine cda mesh verify brep export report setup simulation"
   "python:   base gcode toolpath cda mesh verify brep export report setup simulation")
 

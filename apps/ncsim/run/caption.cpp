@@ -6,7 +6,7 @@
 #include "ncsim/base/file_names.h"
 #include "ncsim/report/checked.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/machining_time.h"
+#include "ncsim/verify/machining_time.h"
 
 #include "run/sheet_layout.h"
 
@@ -36,8 +36,8 @@ std::vector<std::string> facts_of(const Outcome& outcome, double removed,
         return report::in_unit(text, outcome.options.report_unit);
     };
     std::string travelled = shown(fmt::format("{:.1f} mm at feed", path.feed_mm));
-    if (const auto total = report::time_of(path).total())
-        travelled = report::time_text(*total) + ", " + travelled;
+    if (const auto total = verify::time_of(path).total())
+        travelled = verify::time_text(*total) + ", " + travelled;
     std::vector<std::string> lines{
         base_name(outcome.plan.job.program.name) + ": " +
             shown(fmt::format("{:.6g} x {:.6g} x {:.6g} mm", size.x, size.y, size.z)),

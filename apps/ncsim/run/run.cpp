@@ -167,7 +167,8 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     });
     outputs.write(o.html, [&](std::ostream& out) {
         report::write_run_page(out, outcome.plan.job.program.name,
-                               report::summary(run_facts(outcome)), *outcome.page_data);
+                               report::summary(run_facts(outcome)), *outcome.page_data,
+                               outcome.options.report_unit);
     });
     const std::string& program = s.provenance.program;
     outputs.write(o.dxf, [&](std::ostream& out) {
@@ -266,7 +267,7 @@ int run(Options options) {
     simulation::choose_resolution(plan, survey);
     // For a program that was not read, there are no assumptions.
     if (!o.quiet && !survey.interpretation.refused) {
-        report::CuttingFacts cutting = simulation::cutting_facts(plan);
+        report::CuttingFacts cutting = report::cutting_facts(plan);
         cutting.unit = o.report_unit;
         print_error(report::assumption_sheet(plan.job.program.name, survey, cutting));
     }
@@ -360,12 +361,11 @@ int run(Options options) {
         if (design)
             outcome.design =
                 &view.emplace(simulation::design_view(*design, *simulation, *outcome.boundary));
-        std::optional<report::PageData> page_data;
+        std::optional<simulation::PageData> page_data;
         if (play && outcome.boundary) {
             page_data = simulation::page_data(plan, survey, *simulation, *outcome.boundary,
                                               placed_fixtures(plan, survey, machine), false);
             page_data->play = simulation::finish_play(*play, *simulation);
-            page_data->unit = options.report_unit;
             outcome.page_data = &*page_data;
         }
         if (o.simplify && outcome.boundary) {

@@ -8,8 +8,8 @@
 #include "ncsim/base/version.h"
 #include "ncsim/gcode/positions.h"
 #include "ncsim/report/length_unit.h"
-#include "ncsim/report/machining_time.h"
 #include "ncsim/verify/finding.h"
+#include "ncsim/verify/machining_time.h"
 
 #include "append.h"
 #include "json.h"

@@ -60,7 +60,8 @@ std::string ledger_csv_share(const Checked& checked, LengthUnit unit) {
                 if (!row.contact.is_empty()) out += scaled(corner[axis], length);
             }
         }
-        const CheckedOperation* const operation = operation_of(checked, row.first_motion);
+        const simulation::CheckedOperation* const operation =
+            operation_of(checked, row.first_motion);
         out += ',';
         if (operation) out += csv_text(one_line(operation->name));
         out += '\n';

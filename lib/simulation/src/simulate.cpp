@@ -193,8 +193,8 @@ public:
             const auto line_of = [&](cda::Origin origin) {
                 return result_.provenance.entries[static_cast<std::size_t>(origin)].nc_line;
             };
-            result_.aliasing.emplace(report::AliasingFacts{
-                *aliasing, line_of(aliasing->material.origin), line_of(aliasing->gaps.origin)});
+            result_.aliasing.emplace(AliasingFacts{*aliasing, line_of(aliasing->material.origin),
+                                                   line_of(aliasing->gaps.origin)});
         }
         if (!places_) return;
         for (const auto& [origin, taken] : result_.part->account()) {
@@ -451,7 +451,7 @@ private:
     bool shows_path_;
     bool measured_;  // cell by cell
     // By origin, if volumes of blocks are requested.
-    std::optional<std::map<cda::Origin, report::BlockPlace>> places_;
+    std::optional<std::map<cda::Origin, BlockPlace>> places_;
     bool keep_cuts_;
     PlayRecorder* play_;
     bool keeps_cells_;

@@ -7,8 +7,8 @@
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/export/overlay.h"
 #include "ncsim/mesh/provenance.h"
-#include "ncsim/report/facts.h"
 #include "ncsim/simulation/cut_record.h"
+#include "ncsim/simulation/facts.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/toolpath/tool_pose.h"
@@ -27,7 +27,7 @@ namespace ncsim::simulation {
 struct StockHistory;
 
 /// The part, with facts about the run.
-struct Simulation : report::PartFacts {
+struct Simulation : PartFacts {
     std::unique_ptr<cda::WorkpieceModel> part;
     mesh::Provenance provenance;  ///< For the origins in `part`.
     std::vector<CutRecord> cuts;  ///< For the same origins, if kept.
