@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The ncsim program: reads argv, runs a command and turns uncaught exceptions into exit codes.
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 
 #include "check/check_command.h"
 #include "commands/diff.h"
@@ -60,11 +60,10 @@ int guarded(const std::function<int()>& work) {
         std::fputs("ncsim: out of memory\n", stderr);
         return kEnvironment;
     } catch (const std::logic_error& e) {
-        print_error("ncsim: a bug of ours, please report it: " + ncsim::report::one_line(e.what()) +
-                    '\n');
+        print_error("ncsim: a bug of ours, please report it: " + ncsim::one_line(e.what()) + '\n');
         return kInternalError;
     } catch (const std::exception& e) {
-        print_error("ncsim: " + ncsim::report::one_line(e.what()) + '\n');
+        print_error("ncsim: " + ncsim::one_line(e.what()) + '\n');
         return kEnvironment;
     }
 }
@@ -106,7 +105,7 @@ int main(int argc, char** argv) {
         const std::string when = take_colour(words);
         const auto colour = colour_mode(when);
         if (!colour) {
-            print_error("ncsim: --color '" + ncsim::report::one_line(when) +
+            print_error("ncsim: --color '" + ncsim::one_line(when) +
                         "': expected auto, always or never\n");
             return static_cast<int>(kEnvironment);
         }

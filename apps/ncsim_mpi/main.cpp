@@ -2,7 +2,7 @@
 //
 // ncsim-mpi run: the same outputs as `ncsim run`, with one tile a rank. Ranks cut as --tile does,
 // and rank 0 combines the tiles as merge does. This file only transfers data between ranks.
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 #include "ncsim/report/tile_file.h"
 #include "ncsim/setup/digest.h"
 
@@ -158,7 +158,7 @@ int print_once(const app::EarlyExit& early_exit, int rank) {
 
 // Aborts all ranks, because the remaining ranks would wait for this rank.
 [[noreturn]] void end_all(int rank, const std::string& why, int code) {
-    app::print_error(fmt::format("ncsim-mpi: rank {}: {}\n", rank, report::one_line(why)));
+    app::print_error(fmt::format("ncsim-mpi: rank {}: {}\n", rank, one_line(why)));
     MPI_Abort(MPI_COMM_WORLD, code);
     std::terminate();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Python module ncsim._ncsim: the functions and classes behind the package ncsim.
-#include "ncsim/report/version.h"
+#include "ncsim/base/version.h"
 #include "ncsim/setup/input.h"
 #include "ncsim/setup/job_file.h"
 #include "ncsim/simulation/models.h"
@@ -60,5 +60,5 @@ PYBIND11_MODULE(_ncsim, module) {
     ncsim::python::define_check(module);
     module.def("steps", &steps, py::arg("job"));
     module.attr("models") = py::tuple(py::cast(model_list()));
-    module.attr("version") = std::string(ncsim::report::kVersion);
+    module.attr("version") = std::string(ncsim::kVersion);
 }

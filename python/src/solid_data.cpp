@@ -41,7 +41,7 @@ std::vector<double> areas_of(const brep::Part& part) {
 
 // Returns the arguments of ncsim.Face.
 py::dict face_dict(const SolidData& data, const brep::Face& face, double area) {
-    const report::FaceForm form = simulation::form_of(face.surface);
+    const simulation::FaceForm form = simulation::form_of(face.surface);
     std::set<std::uint32_t> lines, tools;
     for (const cda::Origin origin : face.origins) {
         const auto entry = data.solid.provenance.of(origin);

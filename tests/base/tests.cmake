@@ -1,4 +1,12 @@
-ncsim_add_test(base LIBRARIES ncsim::base SOURCES angles_test.cpp parallel_test.cpp text_test.cpp vec2_test.cpp)
+find_package(nlohmann_json CONFIG REQUIRED)
+ncsim_add_test(base
+  LIBRARIES ncsim::base nlohmann_json::nlohmann_json
+  SOURCES
+    angles_test.cpp
+    parallel_test.cpp
+    plain_text_test.cpp
+    text_test.cpp
+    vec2_test.cpp)
 
 # Nobody else calls functions of the C library whose last bit is not the same everywhere.
 add_test(NAME base.TheLibraryOfNoSystemReachesAnOutput

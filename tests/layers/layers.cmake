@@ -11,9 +11,9 @@ set(layers
   "verify:   base gcode toolpath machine cda"
   "brep:     base gcode cda machine toolpath"
   "export:   base cda mesh brep"
-  "report:   base gcode toolpath machine cda verify"
-  "setup:    base gcode toolpath machine cda verify report"
-  "simulation: base gcode toolpath machine cda mesh dexel verify brep export report setup"
+  "setup:    base gcode toolpath machine cda verify"
+  "simulation: base gcode toolpath machine cda mesh dexel verify brep export setup"
+  "report:   base gcode toolpath machine cda verify setup simulation"
   "app:      base gcode toolpath machine cda mesh verify brep export report setup simulation"
   "python:   base gcode toolpath cda mesh verify brep export report setup simulation")
 
@@ -37,7 +37,7 @@ set(floors_setup files meshes machines job)
 set(floors_app system options run commands check merge)
 
 # A public header is on the floor of the source of its name. FOLDER:HEADER for headers without a source.
-set(headers_base text:ascii text:number_text numbers:int128 numbers:mix numbers:vec2 geometry:vec3 geometry:triangle_mesh)
+set(headers_base text:ascii text:number_text text:version numbers:int128 numbers:mix numbers:vec2 geometry:vec3 geometry:triangle_mesh)
 set(headers_cda exact:tile_number exact:origin polytope:sweep flat:visitor)
 set(headers_toolpath polytope:tool_pose polytope:side)
 set(headers_brep geometry:facets)

@@ -16,15 +16,16 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-std::string page_of(const std::vector<Review>& reviews, LengthUnit unit = LengthUnit::Millimetre) {
+std::string page_of(const std::vector<simulation::Review>& reviews,
+                    LengthUnit unit = LengthUnit::Millimetre) {
     std::ostringstream out;
     write_review(out, reviews, unit);
     return out.str();
 }
 
 // A pocket that the new program makes deeper, with a slower feed.
-Review deeper_pocket() {
-    Review review;
+simulation::Review deeper_pocket() {
+    simulation::Review review;
     Difference& d = review.difference;
     d.old_name = "old.nc";
     d.new_name = "new.nc";
@@ -86,7 +87,7 @@ TEST(ReviewPage, ShowsChangesOfValues) {
 }
 
 TEST(ReviewPage, SaysThatProgramsAreIdentical) {
-    Review review = deeper_pocket();
+    simulation::Review review = deeper_pocket();
     review.difference = {};
     review.difference.old_name = "old.nc";
     review.difference.new_name = "copy.nc";
@@ -104,7 +105,7 @@ TEST(ReviewPage, SaysThatProgramsAreIdentical) {
 }
 
 TEST(ReviewPage, HasAPartForEachSetUp) {
-    Review first = deeper_pocket(), second = deeper_pocket();
+    simulation::Review first = deeper_pocket(), second = deeper_pocket();
     first.difference.set_up = "set-up 1, front";
     second.difference.set_up = "set-up 2, back";
     second.difference.differs = false;
@@ -116,7 +117,7 @@ TEST(ReviewPage, HasAPartForEachSetUp) {
 }
 
 TEST(ReviewPage, IsHarmlessForAnyNames) {
-    Review review = deeper_pocket();
+    simulation::Review review = deeper_pocket();
     const std::string bad = "<img src=x onerror=\"alert(1)\">\n\x1b\xff&";
     Difference& d = review.difference;
     d.old_name = d.new_name = d.set_up = d.stocks = bad;

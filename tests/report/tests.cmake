@@ -6,7 +6,6 @@ ncsim_add_test(report
     length_unit_test.cpp
     line_diff_test.cpp
     page_index_test.cpp
-    plain_text_test.cpp
     program_diff_test.cpp
     review_page_test.cpp
     shard_test.cpp

@@ -85,7 +85,7 @@ Design design_of(TriangleMesh mesh, double tolerance_mm) {
 
 TEST(DeviationMesh, VerticesHaveTheirDistancesFromABox) {
     const Vec3 min{-2, 1, 0}, max{38, 31, 9};
-    const report::DeviationMesh made =
+    const simulation::DeviationMesh made =
         deviation_mesh(box({0, 0, 0}, {40, 30, 10}), design_of(box(min, max), 0.1));
     ASSERT_EQ(made.deviation_mm.size(), made.mesh.vertices.size());
     EXPECT_EQ(made.tolerance_mm, 0.1);
@@ -101,7 +101,7 @@ TEST(DeviationMesh, VerticesHaveTheirDistancesFromABox) {
 
 TEST(DeviationMesh, KeepsTheSurfaceAndItsFaces) {
     const TriangleMesh part = box({0, 0, 0}, {40, 30, 10});
-    const report::DeviationMesh made =
+    const simulation::DeviationMesh made =
         deviation_mesh(part, design_of(box({1, 1, 1}, {39, 31, 9}), 0.05));
     EXPECT_GT(made.mesh.triangles.size(), 100U);
     EXPECT_TRUE(cda::check(made.mesh).is_closed());
@@ -126,7 +126,7 @@ TEST(DeviationMesh, KeepsTheSurfaceAndItsFaces) {
 TEST(DeviationMesh, DistancesBetweenVerticesAreLinear) {
     const auto wave = [](double y) { return 9.0 + sin_cos(24.0 * y).sin; };
     const Design design = design_of(prism(40.0, 240, wave), 0.1);
-    const report::DeviationMesh made = deviation_mesh(box({0, 0, 0}, {40, 30, 9}), design);
+    const simulation::DeviationMesh made = deviation_mesh(box({0, 0, 0}, {40, 30, 9}), design);
     const double size = norm(Vec3{40, 30, 9});
     const auto& p = made.mesh.vertices;
     std::size_t top = 0;

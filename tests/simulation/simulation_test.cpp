@@ -280,13 +280,13 @@ TEST(Simulation, TakesToolsAndLanguageFromTheJob) {
 }
 
 TEST(Check, OfAStringIsAVerdict) {
-    const report::Checked clean = check(plan_of(kTool + kStock + kSlot));
+    const Checked clean = check(plan_of(kTool + kStock + kSlot));
     EXPECT_EQ(clean.word, "clean");
     EXPECT_EQ(clean.outcome, verify::Outcome::Clean);
     EXPECT_EQ(clean.path, "slot.nc");
     EXPECT_TRUE(clean.simulated);
 
-    const report::Checked failed = check(
+    const Checked failed = check(
         plan_of(kTool + kStock + "G21 G90 T1 M6 S8000 M3\nG0 X-5. Y20. Z-5.\nG0 X45.\nM30\n"));
     EXPECT_EQ(failed.outcome, verify::Outcome::Failed);
     ASSERT_FALSE(failed.verdict.findings.empty());
@@ -302,7 +302,7 @@ TEST(Check, OfALoopWithoutEndJudgesItsBeginning) {
                         "G0 X-6.\nX-5.\nEND1\nM30\n");
     plan.job.interpreter.work_offsets_specified[0] = true;
     plan.job.interpreter.limits.repeated_blocks = 4000;
-    const report::Checked checked = check(std::move(plan), verification_options);
+    const Checked checked = check(std::move(plan), verification_options);
     EXPECT_EQ(checked.outcome, verify::Outcome::Failed);
     EXPECT_FALSE(checked.simulated);
     const auto has = [&](std::string_view rule) {
@@ -317,7 +317,7 @@ TEST(Check, AsksOnlyWhatIsSelected) {
     VerificationOptions verification_options;
     for (const verify::RuleInfo& rule : verify::rules())
         verification_options.selection.ignored.emplace(rule.id, "");
-    const report::Checked checked = check(plan_of(kTool + kStock + kSlot), verification_options);
+    const Checked checked = check(plan_of(kTool + kStock + kSlot), verification_options);
     EXPECT_FALSE(checked.simulated);
     EXPECT_TRUE(checked.verdict.findings.empty());
 }
@@ -338,7 +338,7 @@ TEST(Check, FindsWhatTheTrianglesOfADesignMayHide) {
     EXPECT_EQ(gouges(), 0);
     design.deflection_mm = 0.03;
     EXPECT_EQ(gouges(), 1);
-    const report::Checked checked = check(plan_of(deeper), verification_options);
+    const Checked checked = check(plan_of(deeper), verification_options);
     EXPECT_NE(checked.verdict.outcome(), verify::Outcome::Clean);
 }
 
@@ -351,7 +351,7 @@ TEST(CompareParts, TellsWhatOnlyOneOfThemHas) {
     const SurveyedPlan a = surveyed(kTool + kStock + kSlot);
     std::string deeper = kSlot;
     deeper.replace(deeper.find("Z-5."), 4, "Z-6.");
-    const report::Difference d = compare_parts(a, surveyed(kTool + kStock + deeper));
+    const Difference d = compare_parts(a, surveyed(kTool + kStock + deeper));
     EXPECT_FALSE(d.same_motions);
     EXPECT_NEAR(d.only_old.volume_mm3, 6 * 40 * 1, 1e-9);
     EXPECT_DOUBLE_EQ(d.only_new.volume_mm3, 0.0);

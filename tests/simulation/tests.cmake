@@ -1,6 +1,7 @@
 ncsim_add_test(simulation
   LIBRARIES ncsim::simulation
   SOURCES
+    cut_record_test.cpp
     deviation_mesh_test.cpp
     messages_test.cpp
     models_test.cpp

@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace ncsim::verify_test {
 namespace {
@@ -158,6 +160,44 @@ TEST(RapidInMaterial, ThatOnlyTheCircumscribedToolMakesIsNotCertain) {
     EXPECT_EQ(f.severity, Severity::Warning);
     setup.accuracy.tolerance_mm = 0.005;
     EXPECT_TRUE(findings_of(verdict_of(down, setup), "rapid-in-material").empty());
+}
+
+// The caller decides the contact that the accuracy of the tool leaves open.
+TEST(RapidInMaterial, IsAsTheCallerDecidesAnOpenContact) {
+    verify::Setup setup = plain_setup();
+    setup.accuracy.tolerance_mm = 0.2;
+    setup.decides_contacts = true;
+    const std::string down = "G21 G90 T1 M6 S1000 M3 G0 X24.19892 Y17.80563 Z5\nG0 Z-5\n";
+    std::vector<verify::OpenContact> asked;
+    verify::ContactDecision decision = Certainty::Certain;
+    const auto decide = [&](const verify::OpenContact& contact) {
+        asked.push_back(contact);
+        return decision;
+    };
+    const Finding f = only(verdict_of(down, setup, decide), "rapid-in-material");
+    EXPECT_EQ(f.certainty, Certainty::Certain);
+    EXPECT_EQ(f.severity, Severity::Error);
+    ASSERT_EQ(asked.size(), 1U);
+    EXPECT_EQ(asked[0].rule, "rapid-in-material");
+    EXPECT_EQ(asked[0].motion, f.first_motion);
+    EXPECT_EQ(asked[0].tool, 1);
+    EXPECT_FALSE(asked[0].piece);
+    // The corner of the block, which the true circle does not reach.
+    ASSERT_FALSE(asked[0].boxes.empty());
+    for (const Box& box : asked[0].boxes)
+        EXPECT_TRUE(box.overlaps({{19.9, 14.9, -5.1}, {20, 15, 0}}));
+
+    decision = Certainty::Within;
+    EXPECT_EQ(only(verdict_of(down, setup, decide), "rapid-in-material").certainty,
+              Certainty::Within);
+    decision = std::nullopt;
+    EXPECT_TRUE(findings_of(verdict_of(down, setup, decide), "rapid-in-material").empty());
+    // Without decisions, the contact stays open.
+    EXPECT_EQ(only(verdict_of(down, setup), "rapid-in-material").certainty, Certainty::Within);
+    // A contact that is certain, or none, is not open.
+    asked.clear();
+    (void)verdict_of(kStart + "G0 Z-1\nG0 X30\n", setup, decide);
+    EXPECT_TRUE(asked.empty());
 }
 
 TEST(RapidInMaterial, OfSuccessiveMovesIsOneFinding) {

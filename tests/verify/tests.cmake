@@ -10,6 +10,7 @@ ncsim_add_test(verify
     finding_fields_test.cpp
     hole_course_test.cpp
     machine_test.cpp
+    machining_time_test.cpp
     passes_test.cpp
     process_test.cpp
     rapid_test.cpp

@@ -26,7 +26,7 @@ verify::Setup setup_with_holder() {
 }
 
 void take(const gcode::Motion& motion, cda::Origin origin, verify::Verifier& verifier,
-          toolpath::Walk& walk, cda::TreeCda* part) {
+          toolpath::Walk& walk, cda::TreeCda* part, const Decide& decide) {
     verifier.begin(motion, part);
     if (part) {
         walk.take(motion, origin, [&](const toolpath::Step& step) {
@@ -45,10 +45,14 @@ void take(const gcode::Motion& motion, cda::Origin origin, verify::Verifier& ver
             verifier.at_end_position(step, *part);
         });
     }
-    verifier.end(part);
+    if (!decide) return verifier.end(part);
+    std::vector<verify::ContactDecision> decisions;
+    for (const verify::OpenContact& contact : verifier.end_steps(part))
+        decisions.push_back(decide(contact));
+    verifier.judge(decisions);
 }
 
-verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
+verify::Verdict verdict_of(const std::string& program, verify::Setup setup, const Decide& decide) {
     const gcode::SourceFile source{"part.nc", program};
     const cda::Lattice lattice = cda::Lattice::for_stock(kBlock);
     const bool simulated = !setup.not_simulated;
@@ -69,7 +73,7 @@ verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
     if (verifier.needs_account()) part.track_removal();
     std::uint32_t motions = 0;
     const auto result = gcode::interpret(source, options, [&](const gcode::Motion& motion) {
-        take(motion, cda::Origin{++motions}, verifier, walk, simulated ? &part : nullptr);
+        take(motion, cda::Origin{++motions}, verifier, walk, simulated ? &part : nullptr, decide);
     });
     verifier.add(result.diagnostics);
     return verifier.finish(result, simulated ? &part : nullptr, stock_mm3);

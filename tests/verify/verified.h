@@ -7,6 +7,7 @@
 #include "ncsim/verify/verdict.h"
 #include "ncsim/verify/verifier.h"
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,13 +24,17 @@ verify::Setup plain_setup();
 /// diameter above the shank.
 verify::Setup setup_with_holder();
 
+/// Decides an open contact.
+using Decide = std::function<verify::ContactDecision(const verify::OpenContact&)>;
+
 /// Verifies `program` on kBlock, or only the motions if `setup` disables the simulation.
-verify::Verdict verdict_of(const std::string& program, verify::Setup setup = plain_setup());
+verify::Verdict verdict_of(const std::string& program, verify::Setup setup = plain_setup(),
+                           const Decide& decide = {});
 
 /// Verifies and subtracts a motion: the verifier examines the part before and after the cut. `part`
 /// is null if the part is not simulated.
 void take(const gcode::Motion& motion, cda::Origin origin, verify::Verifier& verifier,
-          toolpath::Walk& walk, cda::TreeCda* part);
+          toolpath::Walk& walk, cda::TreeCda* part, const Decide& decide = {});
 
 /// Returns the findings of a rule, in order.
 std::vector<verify::Finding> findings_of(const verify::Verdict& verdict, const std::string& rule);

@@ -3,9 +3,9 @@
 // Verifies programs and writes the reports.
 #include "check/check_command.h"
 
+#include "ncsim/base/plain_text.h"
 #include "ncsim/export/png.h"
 #include "ncsim/report/ledger_csv.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/report/rule_list.h"
 #include "ncsim/report/shard.h"
 #include "ncsim/setup/digest.h"
@@ -81,7 +81,7 @@ int check_shard(const CheckOptions& options, const ProgramList& list, const std:
             .string();
     const auto say_done = [&](std::size_t count, const char* what) {
         put_text(fmt::format("shard {} of {}: {} of {} programs {}: {}\n", number.shard, number.of,
-                             count, programs.size(), what, report::printable_path(path)));
+                             count, programs.size(), what, printable_path(path)));
     };
     const std::vector<std::size_t> share = share_of(programs, number);
     if (report::is_whole(path, head)) {

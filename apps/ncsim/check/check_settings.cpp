@@ -3,8 +3,8 @@
 // Reads the settings of programs.
 #include "check/check_settings.h"
 
-#include "ncsim/report/plain_text.h"
-#include "ncsim/report/version.h"
+#include "ncsim/base/plain_text.h"
+#include "ncsim/base/version.h"
 #include "ncsim/setup/job_file.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/recorded_input.h"
@@ -40,7 +40,7 @@ CheckOptions parsed(const std::vector<std::string>& words) {
 }
 
 std::string key_of(const CheckOptions& options, const setup::RecordedInput& read) {
-    std::string key = fmt::format("ncsim {}\n{}", report::kVersion, options.specified);
+    std::string key = fmt::format("ncsim {}\n{}", kVersion, options.specified);
     if (!options.csv.empty()) key += "csv\n";
     for (const auto& [file, digest] : read.files())
         key += absolute_name(file) + '\n' + digest.value_or("") + '\n';
@@ -136,8 +136,8 @@ std::string SettingsOfPrograms::lost_programs() const {
             std::error_code ignored;
             if (std::filesystem::exists(program, ignored)) continue;
             text += fmt::format("ncsim: {}: {} known finding{} of '{}', which is not there\n",
-                                report::printable_path(file), findings, findings == 1 ? "" : "s",
-                                report::one_line(program));
+                                printable_path(file), findings, findings == 1 ? "" : "s",
+                                one_line(program));
         }
     }
     return text;

@@ -3,7 +3,7 @@
 // Writes HTML pages.
 #include "check/pages.h"
 
-#include "ncsim/report/file_names.h"
+#include "ncsim/base/file_names.h"
 #include "ncsim/report/page.h"
 #include "ncsim/report/page_index.h"
 
@@ -41,7 +41,7 @@ std::vector<std::string> names_of(const std::vector<std::string>& programs) {
     std::vector<std::string> names;
     for (const std::string& program : programs) {
         // File systems may ignore letter case.
-        names.push_back(plain_name(report::relative_path(program)).substr(0, 150));
+        names.push_back(plain_name(relative_path(program)).substr(0, 150));
         std::string lower = names.back();
         for (char& c : lower)
             c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
@@ -101,7 +101,6 @@ Pages::Pages(const CheckOptions& options, const std::vector<std::string>& progra
 
 void Pages::add(std::size_t number, report::Checked checked) {
     if (index_.empty()) return;
-    if (checked.page_data) checked.page_data->unit = unit_;
     const std::lock_guard lock(mutex_);
     if (has_index_) return write_one(number, checked);
     kept_.emplace_back(number, std::move(checked));
@@ -120,7 +119,8 @@ void Pages::write_one(std::size_t number, const report::Checked& checked) {
         return prefix_ + name + ending;
     };
     report::IndexFacts facts = report::index_facts(checked);
-    facts.page = write_file(".html", [&](std::ostream& out) { report::write_page(out, checked); });
+    facts.page =
+        write_file(".html", [&](std::ostream& out) { report::write_page(out, checked, unit_); });
     if (checked.page_data && !checked.page_data->thumbnail.empty()) {
         facts.picture =
             write_file(".png", [&](std::ostream& out) { out << checked.page_data->thumbnail; });
@@ -131,8 +131,9 @@ void Pages::write_one(std::size_t number, const report::Checked& checked) {
 void Pages::write(const report::Entries& all, const report::Scope& scope) {
     if (index_.empty()) return;
     if (!has_index_ && kept_.size() == 1) {
-        return outputs_.write(
-            index_, [&](std::ostream& out) { report::write_page(out, kept_.front().second); });
+        return outputs_.write(index_, [&](std::ostream& out) {
+            report::write_page(out, kept_.front().second, unit_);
+        });
     }
     for (const auto& [number, checked] : kept_)
         write_one(number, checked);

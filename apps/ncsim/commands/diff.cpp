@@ -95,8 +95,8 @@ DiffOptions options_of_new(const DiffOptions& old) {
 
 // Compares the parts of two programs, which are cut from the stock of the old one. Without --html,
 // the review has the difference only. Empty if a program cannot be cut.
-std::optional<report::Review> review_of(const Input& a_input, const Input& b_input,
-                                        setup::InputSet& inputs) {
+std::optional<simulation::Review> review_of(const Input& a_input, const Input& b_input,
+                                            setup::InputSet& inputs) {
     const Side a = read_side(a_input, {}, inputs);
     if (!is_usable(a)) return std::nullopt;
     const Side b_alone = read_side(b_input, {}, inputs);
@@ -104,7 +104,7 @@ std::optional<report::Review> review_of(const Input& a_input, const Input& b_inp
     const Side b = read_side(b_input, stock, inputs);
     if (!is_usable(b)) return std::nullopt;
 
-    report::Review review;
+    simulation::Review review;
     if (a_input.options.html.empty()) {
         review.difference = simulation::compare_parts(a, b);
     } else {
@@ -199,10 +199,10 @@ int run(const DiffOptions& options) {
             "programs",
             options.job, a.size(), options.new_program, b.size()));
     }
-    std::vector<report::Review> reviews;
+    std::vector<simulation::Review> reviews;
     std::vector<report::Difference> differences;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        std::optional<report::Review> review = review_of(a[i], b[i], inputs);
+        std::optional<simulation::Review> review = review_of(a[i], b[i], inputs);
         if (!review) return kEnvironment;  // 1 is a difference
         if (!options.quiet) {
             put_text(report::text_of(review->difference, options.report_unit),

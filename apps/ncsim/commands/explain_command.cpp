@@ -4,9 +4,9 @@
 #include "commands/explain_command.h"
 
 #include "ncsim/base/number_text.h"
+#include "ncsim/report/explain.h"
 #include "ncsim/report/explanation.h"
 #include "ncsim/simulation/apply_machine.h"
-#include "ncsim/simulation/explain.h"
 #include "ncsim/simulation/models.h"
 #include "ncsim/simulation/plan_reader.h"
 
@@ -83,7 +83,7 @@ int run(const ExplainOptions& specified) {
     if (plan.model.empty()) plan.model = simulation::models().front().name;
     const simulation::Survey survey = simulation::survey(plan);
     const report::Explanation explanation =
-        simulation::explain(plan, survey, options.line, options.in, !options.no_volume);
+        report::explain(plan, survey, options.line, options.in, !options.no_volume);
     const std::string text =
         options.json ? report::json_of(explanation) : report::text_of(explanation);
     if (options.json) {

@@ -3,7 +3,7 @@
 // Writes first job files and project files.
 #include "commands/init_command.h"
 
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 #include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/setup/job.h"
 #include "ncsim/setup/job_file.h"
@@ -84,7 +84,7 @@ std::string first_job(const InitOptions& options, setup::InputSet& inputs) {
         } else {
             for (const int number : merge_tools(all, std::move(described)))
                 notes += fmt::format("note: T{} has another shape in {}; the first counts\n",
-                                     number, report::printable_path(options.programs[i]));
+                                     number, printable_path(options.programs[i]));
         }
         if (all.file.stock) set_up.height = all.file.stock->box.size().z;
         set_ups.push_back(std::move(set_up));
@@ -113,7 +113,7 @@ std::string first_project(const std::string& folder) {
         "#max-time = 600  # seconds a program\n";
     for (const std::string& below : folders) {
         text += fmt::format("\n#[[program]]\n#files = [{}]\n#job = \"job.toml\"\n",
-                            report::one_line('"' + below + "/*\""));
+                            one_line('"' + below + "/*\""));
     }
     return text;
 }
@@ -164,7 +164,7 @@ int run(const InitOptions& options) {
     outputs.write(options.output, [&](std::ostream& out) { out << text; });
     outputs.commit();
     if (options.quiet) return kClean;
-    const std::string name = report::printable_path(options.output);
+    const std::string name = printable_path(options.output);
     if (options.repo) {
         put_text(fmt::format("{} written: remove the # before what applies\n", name));
     } else {

@@ -3,7 +3,7 @@
 // Asks the libraries for their versions.
 #include "commands/libraries.h"
 
-#include "ncsim/report/version.h"
+#include "ncsim/base/version.h"
 
 #include "options/cli.h"
 
@@ -72,7 +72,7 @@ std::string version_text() {
         "STEP     read by ncsim-step, a program of its own with OpenCASCADE (LGPL-2.1 with "
         "exception)\n"
         "\n",
-        report::kVersion);
+        kVersion);
     for (const Library& one : libraries())
         text +=
             fmt::format("  {:<14} {:<8} {:<38} {}\n", one.name, one.version, one.licence, one.use);

@@ -4,9 +4,9 @@
 #include "commands/machine_command.h"
 
 #include "ncsim/base/number_text.h"
+#include "ncsim/base/plain_text.h"
 #include "ncsim/export/png.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/setup/job_file.h"
 #include "ncsim/setup/machine_formats.h"
@@ -85,7 +85,7 @@ std::string text_of(const std::map<int, Vec3>& offsets,
         text += fmt::format("  {} at {:g}, {:g}, {:g}\n", setup::name_of_system(system), at.x + 0.0,
                             at.y + 0.0, at.z + 0.0);
     for (const verify::Fixture& fixture : fixtures)
-        text += fmt::format("  fixture {}: {}\n", report::one_line(fixture.name),
+        text += fmt::format("  fixture {}: {}\n", one_line(fixture.name),
                             report::describe(fixture.box));
     return text;
 }
@@ -109,7 +109,7 @@ MachineOfJob machine_of(const std::string& path, setup::InputSet& inputs) {
     for (std::size_t i = 0; i < job.set_ups.size(); ++i) {
         const setup::JobSetUp& set_up = job.set_ups[i];
         found.set_ups += fmt::format("set-up {}{}{}\n", i + 1, set_up.name.empty() ? "" : ", ",
-                                     report::one_line(set_up.name)) +
+                                     one_line(set_up.name)) +
                          text_of(set_up.offsets, set_up.fixtures);
     }
     return found;

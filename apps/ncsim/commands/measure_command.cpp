@@ -3,9 +3,9 @@
 // Prints the dimensions of a part.
 #include "commands/measure_command.h"
 
+#include "ncsim/base/plain_text.h"
 #include "ncsim/export/step.h"
 #include "ncsim/report/measure_sheet.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/models.h"
 #include "ncsim/simulation/part_measures.h"
@@ -40,7 +40,7 @@ int measure_job(const MeasureOptions& options, const std::vector<ChosenStep>& st
         one.job_step = step.number;
         if (&step != &steps.back()) one.json.clear();
         if (steps.size() > 1 && !options.quiet)
-            put_text(fmt::format("{}: {}\n", step.label, report::printable_path(step.program)),
+            put_text(fmt::format("{}: {}\n", step.label, printable_path(step.program)),
                      options.json == "-");
         worst = worse_code(worst, run(one));
     }

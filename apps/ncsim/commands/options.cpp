@@ -3,8 +3,8 @@
 // Parses the command line.
 #include "commands/options.h"
 
-#include "ncsim/report/plain_text.h"
-#include "ncsim/report/version.h"
+#include "ncsim/base/plain_text.h"
+#include "ncsim/base/version.h"
 
 #include "commands/help_topics.h"
 #include "commands/libraries.h"
@@ -77,8 +77,7 @@ EarlyExit help_of(const std::string& name, const cli::App& app) {
     if (name.starts_with("-")) return {kClean, app.help()};
     const std::string meant = nearest(name, known);
     return {kEnvironment,
-            fmt::format("ncsim: there is no help topic '{}'{}\nTry: ncsim help\n",
-                        report::one_line(name),
+            fmt::format("ncsim: there is no help topic '{}'{}\nTry: ncsim help\n", one_line(name),
                         meant.empty() ? "" : fmt::format("; did you mean {}?", meant))};
 }
 
@@ -208,7 +207,7 @@ std::set<std::string> option_names(const std::string& command) {
 
 Command parse_options(const std::vector<std::string>& arguments) {
     cli::App app{"ncsim simulates and verifies NC milling programs.", "ncsim"};
-    app.set_version_flag("--version", fmt::format("ncsim {}", report::kVersion));
+    app.set_version_flag("--version", fmt::format("ncsim {}", kVersion));
     bool verbose = false;
     app.add_flag("--verbose", verbose, "With --version: libraries and licences");
     app.require_subcommand();
@@ -229,8 +228,7 @@ Command parse_options(const std::vector<std::string>& arguments) {
         }
         if (outcome == cli::App::Outcome::Version) {
             const bool all = std::ranges::find(words, "--verbose") != words.end();
-            return EarlyExit{kClean,
-                             all ? version_text() : fmt::format("ncsim {}\n", report::kVersion)};
+            return EarlyExit{kClean, all ? version_text() : fmt::format("ncsim {}\n", kVersion)};
         }
         if (verbose) throw Refusal{"--verbose stands with --version, or behind a command"};
         refuse_empty_names(*chosen);
@@ -245,10 +243,10 @@ Command parse_options(const std::vector<std::string>& arguments) {
         const std::string of = app.chosen() == &app ? "" : app.chosen()->name() + " ";
         std::string what = mistyped(app, words);
         if (what.empty()) what = e.text;
-        return EarlyExit{kEnvironment, fmt::format("ncsim: {}\nTry: ncsim {}--help\n",
-                                                   report::one_line(what), of)};
+        return EarlyExit{kEnvironment,
+                         fmt::format("ncsim: {}\nTry: ncsim {}--help\n", one_line(what), of)};
     } catch (const Refusal& e) {
-        return EarlyExit{kEnvironment, fmt::format("ncsim: {}\n", report::one_line(e.text))};
+        return EarlyExit{kEnvironment, fmt::format("ncsim: {}\n", one_line(e.text))};
     }
 }
 

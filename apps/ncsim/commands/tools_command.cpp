@@ -3,7 +3,7 @@
 // Prints the tool sheet of a program.
 #include "commands/tools_command.h"
 
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 #include "ncsim/report/tool_sheet.h"
 #include "ncsim/setup/job.h"
 #include "ncsim/setup/job_file.h"
@@ -116,8 +116,7 @@ int convert(const ToolsOptions& options) {
     });
     outputs.commit();
     if (options.quiet) return kClean;
-    put_text(
-        fmt::format("{}: {} tools\n", report::printable_path(options.convert), file.tools.size()));
+    put_text(fmt::format("{}: {} tools\n", printable_path(options.convert), file.tools.size()));
     return kClean;
 }
 
@@ -162,7 +161,7 @@ int run(const ToolsOptions& options) {
         ToolsOptions one = options;
         one.job_step = step.number;
         if (!options.json)
-            put_text(fmt::format("{}: {}\n", step.label, report::printable_path(step.program)));
+            put_text(fmt::format("{}: {}\n", step.label, printable_path(step.program)));
         worst = worse_code(worst, print_sheet(one, step.label, inputs, outputs, &sheets));
     }
     if (options.json) write_stdout("{\"programs\": [\n" + sheets + "\n]}\n");

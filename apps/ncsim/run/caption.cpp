@@ -3,10 +3,10 @@
 // Makes the text below a picture.
 #include "run/caption.h"
 
+#include "ncsim/base/file_names.h"
 #include "ncsim/report/checked.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/machining_time.h"
+#include "ncsim/verify/machining_time.h"
 
 #include "run/sheet_layout.h"
 
@@ -36,10 +36,10 @@ std::vector<std::string> facts_of(const Outcome& outcome, double removed,
         return report::in_unit(text, outcome.options.report_unit);
     };
     std::string travelled = shown(fmt::format("{:.1f} mm at feed", path.feed_mm));
-    if (const auto total = report::time_of(path).total())
-        travelled = report::time_text(*total) + ", " + travelled;
+    if (const auto total = verify::time_of(path).total())
+        travelled = verify::time_text(*total) + ", " + travelled;
     std::vector<std::string> lines{
-        report::base_name(outcome.plan.job.program.name) + ": " +
+        base_name(outcome.plan.job.program.name) + ": " +
             shown(fmt::format("{:.6g} x {:.6g} x {:.6g} mm", size.x, size.y, size.z)),
         s.stock_volume > 0.0
             ? fmt::format("{} of {} removed ({:.1f} %)", shown(report::volume_text(removed)),
@@ -96,7 +96,7 @@ void add_design(const Outcome& outcome, std::vector<std::string>& lines) {
 // Adds a finding with its line.
 void add_finding(const Outcome& outcome, std::vector<std::string>& lines) {
     const verify::Finding& f = *outcome.finding;
-    std::string text = report::base_name(outcome.plan.job.program.name);
+    std::string text = base_name(outcome.plan.job.program.name);
     const bool has_line = f.place.file == 0 && f.place.span.line > 0;
     if (has_line) text += fmt::format(":{}", f.place.span.line);
     text += fmt::format(": {}: {} [{}]", verify::name_of(f.severity),

@@ -84,7 +84,7 @@ report::RunFacts run_facts(const Outcome& outcome) {
     report::RunFacts facts;
     facts.name = outcome.plan.job.program.name;
     facts.program = &outcome.survey;
-    facts.cutting = simulation::cutting_facts(outcome.plan);
+    facts.cutting = report::cutting_facts(outcome.plan);
     facts.cutting.unit = outcome.options.report_unit;
     facts.part = outcome.simulation;
     if (outcome.on_machine) facts.on_machine = &*outcome.on_machine;

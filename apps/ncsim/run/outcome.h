@@ -10,10 +10,10 @@
 #include "ncsim/export/drawing.h"
 #include "ncsim/mesh/simplify.h"
 #include "ncsim/report/checked.h"
-#include "ncsim/report/facts.h"
 #include "ncsim/report/run_report.h"
 #include "ncsim/setup/machine_file.h"
 #include "ncsim/simulation/design_view.h"
+#include "ncsim/simulation/facts.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/sections.h"
 #include "ncsim/simulation/simulate.h"
@@ -50,7 +50,7 @@ struct Outcome {
     /// Sections in the order of the options.
     std::vector<simulation::SectionView> sections{};
     /// Data of --html; null: no output.
-    const report::PageData* page_data = nullptr;
+    const simulation::PageData* page_data = nullptr;
     /// Machine file of --machine; null: none.
     const setup::MachineFile* machine = nullptr;
     /// Fixtures to be drawn, in W.

@@ -3,6 +3,7 @@
 // Simulates a program and writes the outputs.
 #include "run/run.h"
 
+#include "ncsim/base/plain_text.h"
 #include "ncsim/brep/flat_part.h"
 #include "ncsim/brep/recognise.h"
 #include "ncsim/cda/triangulate.h"
@@ -17,7 +18,6 @@
 #include "ncsim/mesh/simplify.h"
 #include "ncsim/report/assumption_sheet.h"
 #include "ncsim/report/page.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/report/run_report.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/recorded_input.h"
@@ -167,7 +167,8 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     });
     outputs.write(o.html, [&](std::ostream& out) {
         report::write_run_page(out, outcome.plan.job.program.name,
-                               report::summary(run_facts(outcome)), *outcome.page_data);
+                               report::summary(run_facts(outcome)), *outcome.page_data,
+                               outcome.options.report_unit);
     });
     const std::string& program = s.provenance.program;
     outputs.write(o.dxf, [&](std::ostream& out) {
@@ -266,7 +267,7 @@ int run(Options options) {
     simulation::choose_resolution(plan, survey);
     // For a program that was not read, there are no assumptions.
     if (!o.quiet && !survey.interpretation.refused) {
-        report::CuttingFacts cutting = simulation::cutting_facts(plan);
+        report::CuttingFacts cutting = report::cutting_facts(plan);
         cutting.unit = o.report_unit;
         print_error(report::assumption_sheet(plan.job.program.name, survey, cutting));
     }
@@ -277,7 +278,7 @@ int run(Options options) {
                         survey.moves));
     }
     if (!o.quiet && !o.project.empty())
-        print_error(fmt::format("settings  {}\n", report::printable_path(o.project)));
+        print_error(fmt::format("settings  {}\n", printable_path(o.project)));
     for (const std::string& what : not_used)
         print_error("not used: " + what + "\n");
     print_findings(plan.job.program, survey.diagnostics);
@@ -360,12 +361,11 @@ int run(Options options) {
         if (design)
             outcome.design =
                 &view.emplace(simulation::design_view(*design, *simulation, *outcome.boundary));
-        std::optional<report::PageData> page_data;
+        std::optional<simulation::PageData> page_data;
         if (play && outcome.boundary) {
             page_data = simulation::page_data(plan, survey, *simulation, *outcome.boundary,
                                               placed_fixtures(plan, survey, machine), false);
             page_data->play = simulation::finish_play(*play, *simulation);
-            page_data->unit = options.report_unit;
             outcome.page_data = &*page_data;
         }
         if (o.simplify && outcome.boundary) {

@@ -3,7 +3,7 @@
 // Runs the set-ups of a job.
 #include "run/run_job.h"
 
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 #include "ncsim/setup/job_file.h"
 #include "ncsim/setup/machine_formats.h"
 
@@ -73,7 +73,7 @@ int run_job(const Options& options, const std::vector<ChosenStep>& steps,
         if (is_last) add_outputs(one, file.outputs, folder);
         if (steps.size() > 1 && !options.quiet) {
             const bool takes_stdout = std::ranges::count(outputs_of(options), "-") > 0;
-            put_text(fmt::format("{}: {}\n", step.label, report::printable_path(step.program)),
+            put_text(fmt::format("{}: {}\n", step.label, printable_path(step.program)),
                      takes_stdout);
         }
         worst = worse_code(worst, run_step(std::move(one)));

@@ -3,8 +3,8 @@
 // Cuts one tile.
 #include "run/tile.h"
 
+#include "ncsim/base/plain_text.h"
 #include "ncsim/cda/tile_number.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/setup/digest.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/recorded_input.h"
@@ -80,8 +80,8 @@ void TilePlace::write(const report::TileFile& file, OutputSet& outputs) const {
 }
 
 int TilePlace::report_done(const char* what) const {
-    put_text(fmt::format("tile {} of {} {}: {}\n", head_.tile, head_.of, what,
-                         report::printable_path(path_)));
+    put_text(
+        fmt::format("tile {} of {} {}: {}\n", head_.tile, head_.of, what, printable_path(path_)));
     return kClean;
 }
 

@@ -3,7 +3,7 @@
 // Writes messages and results.
 #include "system/console.h"
 
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -20,7 +20,7 @@ namespace {
 ColourMode mode_of_all = ColourMode::Auto;
 
 std::string shown_on(int descriptor, std::string_view text) {
-    const std::string plain = report::printable(text);
+    const std::string plain = printable(text);
     return has_colours(mode_of_all, descriptor) ? coloured(plain) : plain;
 }
 

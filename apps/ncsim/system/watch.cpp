@@ -3,7 +3,7 @@
 // Runs a command in child processes, each of which reports the files that it reads through a pipe.
 #include "system/watch.h"
 
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 #include "ncsim/setup/input_observer.h"
 #include "ncsim/setup/program_folder.h"
 
@@ -206,7 +206,7 @@ std::string wait_for_change(const Paths& paths, const Stamps& known) {
 std::string line_of(unsigned number, const std::string& changed, const Run& run,
                     std::size_t files) {
     const std::string why =
-        changed.empty() ? std::string() : report::printable_path(changed) + " changed, ";
+        changed.empty() ? std::string() : printable_path(changed) + " changed, ";
     const std::string end = run.exit_code ? fmt::format("exit code {}", *run.exit_code)
                                           : fmt::format("ended by signal {}", run.signal);
     return fmt::format("watch     run {}: {}{}; {} files are watched, Ctrl+C ends\n", number, why,

@@ -3,8 +3,8 @@
 // Findings as workflow commands of GitHub Actions.
 #include "annotations.h"
 
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/plain_text.h"
 
 #include "append.h"
 

@@ -3,10 +3,10 @@
 // The assumption sheet.
 #include "ncsim/report/assumption_sheet.h"
 
+#include "ncsim/base/plain_text.h"
+#include "ncsim/base/version.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/report/value_source.h"
-#include "ncsim/report/version.h"
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/verify/machine_description.h"
 
@@ -40,7 +40,7 @@ public:
     std::string text_;
 };
 
-std::string units(const ProgramFacts& program) {
+std::string units(const simulation::ProgramFacts& program) {
     const char* name = program.interpretation.uses_inches ? "inches" : "millimetres";
     if (program.interpretation.units_stated) return fmt::format("{}, as the program says", name);
     if (!program.units_assumed) return fmt::format("{}, as specified", name);
@@ -48,7 +48,7 @@ std::string units(const ProgramFacts& program) {
                        name);
 }
 
-std::string dialect(const ProgramFacts& program) {
+std::string dialect(const simulation::ProgramFacts& program) {
     const gcode::DialectFindings& found = program.interpretation.dialect;
     std::string text(gcode::name_of(found.dialect));
     if (found.stated) return text;
@@ -62,7 +62,7 @@ std::string dialect(const ProgramFacts& program) {
 
 }  // namespace
 
-std::string assumption_sheet(const std::string& name, const ProgramFacts& program,
+std::string assumption_sheet(const std::string& name, const simulation::ProgramFacts& program,
                              const CuttingFacts& cutting) {
     Sheet sheet;
     sheet.title("ncsim {}: {}, {} lines, {} moves", kVersion, one_line(name),

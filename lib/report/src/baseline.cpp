@@ -3,9 +3,9 @@
 // Comparison of findings with known findings, and the baseline file.
 #include "ncsim/report/baseline.h"
 
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/plain_text.h"
 #include "ncsim/report/check_text.h"
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/verify/rule.h"
 
 #include "fingerprint.h"

@@ -3,8 +3,9 @@
 // Verdicts as JSON.
 #include "ncsim/report/check_json.h"
 
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/version.h"
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/version.h"
+#include "ncsim/report/design_facts.h"
 #include "ncsim/verify/rule.h"
 
 #include "json.h"
@@ -107,7 +108,7 @@ Json baseline_json(const Checked& checked) {
     Json json{{"file", relative_path(checked.baseline)},
               {"accepted", checked.verdict.accepted()},
               {"no_longer_found", Json::array()}};
-    for (const ResolvedFinding& known : checked.resolved) {
+    for (const simulation::ResolvedFinding& known : checked.resolved) {
         json["no_longer_found"].push_back({{"rule", known.rule},
                                            {"severity", known.severity},
                                            {"line", known.line},

@@ -3,8 +3,9 @@
 // Verdicts as text.
 #include "ncsim/report/check_text.h"
 
+#include "ncsim/base/plain_text.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/plain_text.h"
+#include "ncsim/report/design_facts.h"
 #include "ncsim/verify/rule.h"
 
 #include "append.h"
@@ -233,7 +234,7 @@ std::string text_of(const Checked& checked, const TextOptions& options) {
         if (!d.accepted || options.notes) put_doubt(text, checked, d, options.unit);
     }
     if (options.quiet) return text;
-    for (const ResolvedFinding& known : checked.resolved) {
+    for (const simulation::ResolvedFinding& known : checked.resolved) {
         append(text, "{}: no longer there, but in the baseline: {}: {} [{}]\n", path,
                known.severity, one_line(known.what), known.rule);
     }

@@ -3,7 +3,7 @@
 // Names of programs and files, and headlines of findings.
 #include "ncsim/report/checked.h"
 
-#include "ncsim/report/file_names.h"
+#include "ncsim/base/file_names.h"
 
 #include <filesystem>
 

@@ -3,10 +3,10 @@
 // Text and JSON of the comparison of two programs.
 #include "ncsim/report/difference.h"
 
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/plain_text.h"
+#include "ncsim/base/version.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/plain_text.h"
-#include "ncsim/report/version.h"
 
 #include "append.h"
 #include "json.h"

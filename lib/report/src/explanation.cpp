@@ -3,12 +3,12 @@
 // Explains a block as text and JSON.
 #include "ncsim/report/explanation.h"
 
-#include "ncsim/report/file_names.h"
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/plain_text.h"
+#include "ncsim/base/version.h"
 #include "ncsim/report/length_unit.h"
-#include "ncsim/report/machining_time.h"
-#include "ncsim/report/plain_text.h"
-#include "ncsim/report/version.h"
 #include "ncsim/verify/finding.h"
+#include "ncsim/verify/machining_time.h"
 
 #include "append.h"
 #include "json.h"

@@ -3,7 +3,7 @@
 // Values and texts for JSON output.
 #include "json.h"
 
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 #include "ncsim/verify/finding.h"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 // JSON written piece by piece.
 #include "json_stream.h"
 
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 
 #include <ostream>
 #include <string>

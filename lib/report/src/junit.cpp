@@ -3,8 +3,8 @@
 // Verdicts as JUnit XML.
 #include "ncsim/report/junit.h"
 
+#include "ncsim/base/file_names.h"
 #include "ncsim/report/check_text.h"
-#include "ncsim/report/file_names.h"
 #include "ncsim/verify/rule.h"
 
 #include "append.h"

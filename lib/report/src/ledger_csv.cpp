@@ -3,8 +3,8 @@
 // The ledger as CSV.
 #include "ncsim/report/ledger_csv.h"
 
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/plain_text.h"
 
 #include "ledger_operations.h"
 #include "shares.h"
@@ -60,7 +60,8 @@ std::string ledger_csv_share(const Checked& checked, LengthUnit unit) {
                 if (!row.contact.is_empty()) out += scaled(corner[axis], length);
             }
         }
-        const CheckedOperation* const operation = operation_of(checked, row.first_motion);
+        const simulation::CheckedOperation* const operation =
+            operation_of(checked, row.first_motion);
         out += ',';
         if (operation) out += csv_text(one_line(operation->name));
         out += '\n';

@@ -10,9 +10,9 @@
 
 namespace ncsim::report {
 
-const CheckedOperation* operation_of(const Checked& checked, std::uint64_t motion) {
-    const auto after =
-        std::ranges::upper_bound(checked.operations, motion, {}, &CheckedOperation::first_motion);
+const simulation::CheckedOperation* operation_of(const Checked& checked, std::uint64_t motion) {
+    const auto after = std::ranges::upper_bound(checked.operations, motion, {},
+                                                &simulation::CheckedOperation::first_motion);
     return after == checked.operations.begin() ? nullptr : &*std::prev(after);
 }
 
@@ -20,7 +20,8 @@ std::vector<LedgerOperation> ledger_operations(const Checked& checked) {
     std::vector<LedgerOperation> sums;
     std::map<std::pair<int, std::string>, std::size_t> sum_of;
     for (const verify::LedgerRow& row : checked.verdict.ledger.rows) {
-        const CheckedOperation* const operation = operation_of(checked, row.first_motion);
+        const simulation::CheckedOperation* const operation =
+            operation_of(checked, row.first_motion);
         if (!operation) continue;
         const auto [found, is_new] =
             sum_of.emplace(std::pair(operation->tool, operation->name), sums.size());

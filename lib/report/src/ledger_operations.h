@@ -13,14 +13,14 @@ namespace ncsim::report {
 
 /// Rows of the ledger that one tool did under one name.
 struct LedgerOperation {
-    CheckedOperation operation;
+    simulation::CheckedOperation operation;
     double feed_mm = 0.0;  ///< Path of blocks with feed moves.
     double removed_mm3 = 0.0;
     std::optional<double> seconds = 0.0;  ///< Of these blocks; empty if a time is unknown.
 };
 
 /// Returns the operation of a motion, or null. Cost: O(log operations).
-const CheckedOperation* operation_of(const Checked& checked, std::uint64_t motion);
+const simulation::CheckedOperation* operation_of(const Checked& checked, std::uint64_t motion);
 
 /// Returns operations that cut, in the order of execution; none if there are fewer than two or none
 /// has a name.

@@ -3,10 +3,10 @@
 // Blocks, motions and codes of a program, as text or JSON.
 #include "ncsim/report/listing.h"
 
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/plain_text.h"
 #include "ncsim/gcode/language.h"
 #include "ncsim/gcode/print.h"
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/plain_text.h"
 
 #include "json.h"
 #include "motion_json.h"

@@ -3,8 +3,8 @@
 // Text for HTML and XML.
 #include "markup.h"
 
+#include "ncsim/base/plain_text.h"
 #include "ncsim/base/xml_text.h"
-#include "ncsim/report/plain_text.h"
 
 #include "json.h"
 

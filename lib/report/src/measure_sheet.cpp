@@ -3,8 +3,8 @@
 // Measures of a part as text and JSON.
 #include "ncsim/report/measure_sheet.h"
 
+#include "ncsim/base/version.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/version.h"
 
 #include "append.h"
 #include "json.h"

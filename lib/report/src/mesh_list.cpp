@@ -3,7 +3,7 @@
 // List of the files of a surface.
 #include "ncsim/report/mesh_list.h"
 
-#include "ncsim/report/version.h"
+#include "ncsim/base/version.h"
 
 #include "json.h"
 

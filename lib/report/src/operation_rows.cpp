@@ -11,13 +11,13 @@
 
 namespace ncsim::report {
 
-std::vector<OperationRow> operation_rows(const ProgramFacts& program,
+std::vector<OperationRow> operation_rows(const simulation::ProgramFacts& program,
                                          const std::vector<double>& removed,
                                          std::optional<int> tool) {
     std::vector<OperationRow> rows;
     std::map<std::pair<int, std::string>, std::size_t> row_of;
     for (std::size_t i = 0; i < program.operations.size(); ++i) {
-        const ProgramFacts::Operation& operation = program.operations[i];
+        const simulation::ProgramFacts::Operation& operation = program.operations[i];
         if (operation.distances.feed_mm <= 0.0 || (tool && operation.tool != *tool)) continue;
         const auto [found, is_new] =
             row_of.emplace(std::pair(operation.tool, operation.name), rows.size());

@@ -3,10 +3,10 @@
 // Pages as HTML.
 #include "ncsim/report/page.h"
 
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/plain_text.h"
+#include "ncsim/base/version.h"
 #include "ncsim/report/check_text.h"
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/plain_text.h"
-#include "ncsim/report/version.h"
 
 #include "append.h"
 #include "json.h"
@@ -87,7 +87,7 @@ Json mesh_json(const TriangleMesh& mesh) {
     return {{"vertices", packed(vertices, 3)}, {"triangles", packed(triangles, 3)}};
 }
 
-Json part_json(const PageData& page_data) {
+Json part_json(const simulation::PageData& page_data) {
     Json json = mesh_json(page_data.mesh);
     NormalTable normals;
     Numbers normal_of;
@@ -105,7 +105,7 @@ Json part_json(const PageData& page_data) {
             values.push_back(std::round(c / kFormStep) * kFormStep);
         return values;
     };
-    for (const FaceForm& form : page_data.forms) {
+    for (const simulation::FaceForm& form : page_data.forms) {
         json["forms"].push_back(Json::array(
             {form.name, form.dimensions, list(form.axis), list(form.origin), form.is_hollow}));
     }
@@ -113,7 +113,7 @@ Json part_json(const PageData& page_data) {
 }
 
 // Returns the surface with its distances from the design in steps of kPageUnit.
-Json deviation_json(const DeviationMesh& deviation) {
+Json deviation_json(const simulation::DeviationMesh& deviation) {
     Json json = mesh_json(deviation.mesh);
     Numbers values;
     for (const double mm : deviation.deviation_mm)
@@ -123,7 +123,7 @@ Json deviation_json(const DeviationMesh& deviation) {
     return json;
 }
 
-Json body_json(const ColouredMesh& body) {
+Json body_json(const simulation::ColouredMesh& body) {
     Json json = mesh_json(body.mesh);
     json["colour"] = body.colour;
     if (!body.name.empty()) json["name"] = body.name;
@@ -131,7 +131,7 @@ Json body_json(const ColouredMesh& body) {
 }
 
 // Returns the states of the part. Normals are listed once each.
-Json surface_json(const PlayData& play) {
+Json surface_json(const simulation::PlayData& play) {
     const cda::SurfaceRecorder& surface = play.surface;
     const cda::RecordGrid& grid = surface.grid();
     const unsigned shift = surface.pieces().size() > kManyPieces ? kCoarseBits : 0;
@@ -152,7 +152,7 @@ Json surface_json(const PlayData& play) {
         normal_of.push_back(normals.number_of(piece.normal));
     }
     Numbers state_moves, state_lines;
-    for (const PlayState& state : play.states) {
+    for (const simulation::PlayState& state : play.states) {
         state_moves.push_back(state.moves);
         state_lines.push_back(state.line);
     }
@@ -169,9 +169,9 @@ Json surface_json(const PlayData& play) {
             {"stateLines", packed(state_lines)}};
 }
 
-Json play_json(const PlayData& play) {
+Json play_json(const simulation::PlayData& play) {
     Numbers lines, tools, rapid, first, last, times, points, axes;
-    for (const PlayMove& move : play.moves) {
+    for (const simulation::PlayMove& move : play.moves) {
         lines.push_back(move.line);
         tools.push_back(move.tool);
         rapid.push_back(move.is_rapid ? 1 : 0);
@@ -189,9 +189,9 @@ Json play_json(const PlayData& play) {
         is_upright &= play.axes[i] == Vec3{0, 0, 1};
     }
     Json all_tools = Json::array();
-    for (const PlayTool& tool : play.tools) {
+    for (const simulation::PlayTool& tool : play.tools) {
         Json pieces = Json::array();
-        for (const ColouredMesh& piece : tool.pieces)
+        for (const simulation::ColouredMesh& piece : tool.pieces)
             pieces.push_back(body_json(piece));
         all_tools.push_back({{"name", one_line(tool.name)}, {"pieces", std::move(pieces)}});
     }
@@ -209,19 +209,19 @@ Json play_json(const PlayData& play) {
 }
 
 // Returns for each joint: index of the value, rotary or linear, direction, a point of the axis.
-Json joints_json(const std::vector<MachinePageData::Joint>& joints) {
+Json joints_json(const std::vector<simulation::MachinePageData::Joint>& joints) {
     Json all = Json::array();
-    for (const MachinePageData::Joint& j : joints) {
+    for (const simulation::MachinePageData::Joint& j : joints) {
         const Vec3 &d = j.direction, &p = j.through;
         all.push_back({j.axis, j.turns, {d.x, d.y, d.z}, {p.x, p.y, p.z}});
     }
     return all;
 }
 
-Json machine_json(const MachinePageData& machine) {
+Json machine_json(const simulation::MachinePageData& machine) {
     Json json;
     json["bodies"] = Json::array();
-    for (const MachinePageData::Body& body : machine.bodies) {
+    for (const simulation::MachinePageData::Body& body : machine.bodies) {
         json["bodies"].push_back({{"name", one_line(body.name)},
                                   {"colour", body.colour},
                                   {"mesh", mesh_json(body.mesh)},
@@ -231,7 +231,7 @@ Json machine_json(const MachinePageData& machine) {
     json["part_moved_by"] = joints_json(machine.part_moved_by);
     json["zero"] = {machine.zero.x, machine.zero.y, machine.zero.z};
     Numbers lines, values, tools;
-    const auto add = [&](const MachinePageData::LinePose& pose) {
+    const auto add = [&](const simulation::MachinePageData::LinePose& pose) {
         for (const double value : pose.values) {
             values.push_back(static_cast<std::uint32_t>(
                 static_cast<std::int64_t>(std::llround(value / kPageUnit))));
@@ -255,7 +255,7 @@ Json machine_json(const MachinePageData& machine) {
 }
 
 // Returns the data for the script. The mark of a line is its highest severity.
-Json data_json(const Checked& checked, const PageData& page_data) {
+Json data_json(const Checked& checked, const simulation::PageData& page_data, LengthUnit unit) {
     Json data;
     if (page_data.source.size() > kLongSource) {
         std::string text;
@@ -284,7 +284,7 @@ Json data_json(const Checked& checked, const PageData& page_data) {
     for (const auto& [line, volume] : removed)
         data["removed"][std::to_string(line)] = std::stod(fmt::format("{:.6g}", volume));
     const Box& stock = page_data.stock;
-    data["inches"] = page_data.unit == LengthUnit::Inch;
+    data["inches"] = unit == LengthUnit::Inch;
     data["stock"] = {stock.min.x, stock.min.y, stock.min.z, stock.max.x, stock.max.y, stock.max.z};
     data["findings"] = Json::array();
     for (const Finding& f : checked.verdict.findings) {
@@ -297,7 +297,7 @@ Json data_json(const Checked& checked, const PageData& page_data) {
     if (!page_data.mesh.triangles.empty()) data["mesh"] = part_json(page_data);
     if (page_data.deviation) data["deviation"] = deviation_json(*page_data.deviation);
     data["fixtures"] = Json::array();
-    for (const ColouredMesh& body : page_data.fixtures)
+    for (const simulation::ColouredMesh& body : page_data.fixtures)
         data["fixtures"].push_back(body_json(body));
     if (page_data.play) data["play"] = play_json(*page_data.play);
     if (page_data.machine) data["machine"] = machine_json(*page_data.machine);
@@ -394,7 +394,7 @@ std::string skipped_html(const Checked& checked) {
     return text + "</table></section>\n";
 }
 
-std::string pictures_html(const PageData& page_data) {
+std::string pictures_html(const simulation::PageData& page_data) {
     std::string text =
         "<section><details id=\"pictures\" open><summary><h2>Pictures</h2></summary>\n";
     for (const auto& [name, png] : page_data.pictures) {
@@ -436,7 +436,7 @@ namespace {
 
 // Returns the section in which the script draws the part, and a column with `reasons` and the
 // program.
-std::string viewer_html(const PageData& page_data, const std::string& reasons) {
+std::string viewer_html(const simulation::PageData& page_data, const std::string& reasons) {
     const bool has_part = !page_data.mesh.triangles.empty() || page_data.play;
     std::string text = has_part ? "<section id=\"part\"><h2>Part</h2><div id=\"view\"></div>"
                                   "<div id=\"controls\"></div>"
@@ -449,7 +449,8 @@ std::string viewer_html(const PageData& page_data, const std::string& reasons) {
 }
 
 void write_document(std::ostream& out, const std::string& title, const std::string& body,
-                    const Checked& checked, const PageData* page_data) {
+                    const Checked& checked, const simulation::PageData* page_data,
+                    LengthUnit unit) {
     out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
            "<meta name=\"viewport\" content=\"width=device-width\">\n<title>"
         << valid_utf8(escaped(title)) << "</title>\n<style>\n"
@@ -457,7 +458,7 @@ void write_document(std::ostream& out, const std::string& title, const std::stri
         << valid_utf8(body);
     if (page_data) {
         out << "<script id=\"data\" type=\"application/json\">"
-            << for_script(data_json(checked, *page_data)) << "</script>\n";
+            << for_script(data_json(checked, *page_data, unit)) << "</script>\n";
         for (const std::string_view script :
              {kPageArrays, kPageRenderer, kPagePaint, kPageMarks, kPageLink, kPageScript})
             out << "<script>\n" << script << "</script>\n";
@@ -467,9 +468,9 @@ void write_document(std::ostream& out, const std::string& title, const std::stri
 
 }  // namespace
 
-void write_page(std::ostream& out, const Checked& checked) {
+void write_page(std::ostream& out, const Checked& checked, LengthUnit unit_of_texts) {
     const bool verified = checked.page_data.has_value();
-    const LengthUnit unit = verified ? checked.page_data->unit : LengthUnit::Millimetre;
+    const LengthUnit unit = verified ? unit_of_texts : LengthUnit::Millimetre;
     std::string body = header_html(checked, unit);
     if (verified) {
         body += "<main>\n" + viewer_html(*checked.page_data, reasons_html(checked, unit));
@@ -478,18 +479,18 @@ void write_page(std::ostream& out, const Checked& checked) {
         body += skipped_html(checked) + "</main>\n";
     }
     write_document(out, title_of(checked) + " · ncsim check", body, checked,
-                   verified ? &*checked.page_data : nullptr);
+                   verified ? &*checked.page_data : nullptr, unit);
 }
 
 void write_run_page(std::ostream& out, const std::string& path, const std::string& summary,
-                    const PageData& page_data) {
+                    const simulation::PageData& page_data, LengthUnit unit) {
     Checked checked;
     checked.path = path;
     std::string body = fmt::format("<header class=\"run\"><h1>{}</h1><p>ncsim {}</p></header>\n",
                                    escaped(title_of(checked)), kVersion);
     body += "<main>\n" + viewer_html(page_data, {});
     body += "<section><h2>Summary</h2><pre>" + escaped(summary) + "</pre></section>\n</main>\n";
-    write_document(out, title_of(checked) + " · ncsim run", body, checked, &page_data);
+    write_document(out, title_of(checked) + " · ncsim run", body, checked, &page_data, unit);
 }
 
 }  // namespace ncsim::report

@@ -3,10 +3,10 @@
 // Writes the index of pages.
 #include "ncsim/report/page_index.h"
 
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/version.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/machining_time.h"
-#include "ncsim/report/version.h"
+#include "ncsim/verify/machining_time.h"
 
 #include "append.h"
 #include "markup.h"
@@ -80,7 +80,7 @@ Row row_of(const Entry& entry, const IndexFacts* facts, LengthUnit unit) {
     std::string seconds, time, volume, removed;
     if (facts && facts->seconds) {
         seconds = fmt::format("{:.3f}", *facts->seconds);
-        time = time_text(*facts->seconds);
+        time = verify::time_text(*facts->seconds);
     }
     if (facts && facts->removed_mm3) {
         volume = fmt::format("{:.6g}", *facts->removed_mm3);

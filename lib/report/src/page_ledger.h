@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ncsim/report/checked.h"
+#include "ncsim/report/length_unit.h"
 
 #include <string>
 

@@ -3,9 +3,9 @@
 // Writes the review of changed programs.
 #include "ncsim/report/review_page.h"
 
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/version.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/version.h"
 
 #include "append.h"
 #include "markup.h"
@@ -43,14 +43,15 @@ std::string name_html(const std::string& path) {
 // HTML of one comparison.
 class SetUpReview {
 public:
-    SetUpReview(const Review& review, std::string prefix, LengthUnit unit)
+    SetUpReview(const simulation::Review& review, std::string prefix, LengthUnit unit)
         : review_(review),
           prefix_(std::move(prefix)),
           unit_(unit),
           old_name_(name_html(review.difference.old_name)),
           new_name_(name_html(review.difference.new_name)),
-          diff_(program_diff(marked(review.old_side, &ReviewRegion::old_lines, true),
-                             marked(review.new_side, &ReviewRegion::new_lines, false), prefix_)) {}
+          diff_(program_diff(marked(review.old_side, &simulation::ReviewRegion::old_lines, true),
+                             marked(review.new_side, &simulation::ReviewRegion::new_lines, false),
+                             prefix_)) {}
 
     std::string html() const {
         return pictures_html() + regions_html() + values_html() + process_html() + program_html();
@@ -59,7 +60,8 @@ public:
 private:
     using Lines = std::vector<verify::LineRange>;
 
-    MarkedProgram marked(const ReviewSide& side, Lines ReviewRegion::*lines, bool is_old) const {
+    MarkedProgram marked(const simulation::ReviewSide& side, Lines simulation::ReviewRegion::*lines,
+                         bool is_old) const {
         MarkedProgram program{side.source, {}, {}};
         for (std::size_t i = 0; i < review_.regions.size(); ++i) {
             std::size_t listed = 0;
@@ -76,7 +78,7 @@ private:
         return program;
     }
 
-    bool is_program(const ReviewSide& side, const std::string& file) const {
+    bool is_program(const simulation::ReviewSide& side, const std::string& file) const {
         const Difference& d = review_.difference;
         return file == (&side == &review_.old_side ? d.old_name : d.new_name);
     }
@@ -88,7 +90,8 @@ private:
         return fmt::format("<a href=\"#{}{}-{}\">{}</a>", prefix_, letter, line, text);
     }
 
-    std::string lines_html(const ReviewSide& side, char letter, const Lines& lines) const {
+    std::string lines_html(const simulation::ReviewSide& side, char letter,
+                           const Lines& lines) const {
         std::string html;
         for (std::size_t i = 0; i < lines.size() && i < kMostRanges; ++i) {
             const verify::LineRange& range = lines[i];
@@ -114,9 +117,9 @@ private:
             alt, base64(png), pins, caption);
     }
 
-    std::string pins_html(const ReviewPicture& picture) const {
+    std::string pins_html(const simulation::ReviewPicture& picture) const {
         std::string html;
-        for (const ReviewPicture::Pin& pin : picture.pins) {
+        for (const simulation::ReviewPicture::Pin& pin : picture.pins) {
             append(html,
                    "<a class=\"region\" href=\"#{}r-{}\" title=\"difference {}\" "
                    "style=\"left:{:.2f}%;top:{:.2f}%\">{}</a>",
@@ -146,7 +149,7 @@ private:
             return "<div class=\"views\">\n" + figures + "</div>\n";
         };
         std::string single;
-        for (const ReviewPicture& picture : review_.pictures) {
+        for (const simulation::ReviewPicture& picture : review_.pictures) {
             if (picture.after.empty()) {
                 single += figure_html("both, " + picture.view, "old part, " + picture.view,
                                       picture.before);
@@ -164,7 +167,7 @@ private:
     }
 
     std::string region_html(std::size_t i) const {
-        const ReviewRegion& region = review_.regions[i];
+        const simulation::ReviewRegion& region = review_.regions[i];
         std::string html = fmt::format(
             "<li id=\"{}r-{}\"><b><span class=\"swatch {}\"></span> {} only in {}</b>"
             "<small>within {}</small>",
@@ -172,7 +175,8 @@ private:
             volume_html(region.volume_mm3, unit_), region.is_only_old ? old_name_ : new_name_,
             escaped(in_unit(describe(region.box), unit_)));
         const auto side = [&](const std::string& name, bool has_material,
-                              const ReviewSide& lines_of, char letter, const Lines& lines) {
+                              const simulation::ReviewSide& lines_of, char letter,
+                              const Lines& lines) {
             if (lines.empty() && !(has_material && region.has_stock_surface)) return;
             append(html, "<p>{} by {}: ", has_material ? "surface" : "removed", name);
             if (!lines.empty()) {
@@ -205,7 +209,7 @@ private:
         return "<section><h2>Values</h2>\n" + review_table(review_, unit_) + "</section>\n";
     }
 
-    std::string runs_html(const ReviewSide& side, char letter,
+    std::string runs_html(const simulation::ReviewSide& side, char letter,
                           const std::vector<ProcessDifference::Run>& runs) const {
         std::string html;
         for (std::size_t i = 0; i < runs.size() && i < kMostRuns; ++i) {
@@ -239,7 +243,7 @@ private:
         return html + diff_.html + "</section>\n";
     }
 
-    const Review& review_;
+    const simulation::Review& review_;
     std::string prefix_;
     LengthUnit unit_;
     std::string old_name_, new_name_;
@@ -255,11 +259,12 @@ std::string names_of(const Difference& d) {
     return name_html(d.old_name) + " → " + name_html(d.new_name);
 }
 
-std::string header_of(const std::vector<Review>& reviews, LengthUnit unit) {
+std::string header_of(const std::vector<simulation::Review>& reviews, LengthUnit unit) {
     const bool differs = std::ranges::any_of(
-        reviews, [](const Review& review) { return review.difference.differs; });
-    const bool other_process = std::ranges::any_of(
-        reviews, [](const Review& review) { return review.difference.process.differs(); });
+        reviews, [](const simulation::Review& review) { return review.difference.differs; });
+    const bool other_process = std::ranges::any_of(reviews, [](const simulation::Review& review) {
+        return review.difference.process.differs();
+    });
     const Difference& first = reviews.front().difference;
     std::string html = fmt::format(
         "<header class=\"{}\"><h1>{}: {}</h1><p>ncsim diff · ncsim {}</p>",
@@ -275,7 +280,8 @@ std::string header_of(const std::vector<Review>& reviews, LengthUnit unit) {
 
 }  // namespace
 
-void write_review(std::ostream& out, const std::vector<Review>& reviews, LengthUnit unit) {
+void write_review(std::ostream& out, const std::vector<simulation::Review>& reviews,
+                  LengthUnit unit) {
     const Difference& first = reviews.front().difference;
     out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
            "<meta name=\"viewport\" content=\"width=device-width\">\n<title>"

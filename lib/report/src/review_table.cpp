@@ -3,7 +3,7 @@
 // Writes the table of values of two programs.
 #include "review_table.h"
 
-#include "ncsim/report/machining_time.h"
+#include "ncsim/verify/machining_time.h"
 
 #include "append.h"
 #include "markup.h"
@@ -33,7 +33,7 @@ std::string path_change_text(double mm) {
     return fmt::format("{:.3g} mm", mm);
 }
 std::string time_change_text(double seconds) {
-    return seconds < 60.0 ? fmt::format("{:.3g} s", seconds) : time_text(seconds);
+    return seconds < 60.0 ? fmt::format("{:.3g} s", seconds) : verify::time_text(seconds);
 }
 std::string count_text(double count) {
     return fmt::format("{:.0f}", count);
@@ -46,7 +46,7 @@ struct Quantity {
     double least = 0.0;
 };
 constexpr Quantity kVolume{volume_text_mm3, volume_text_mm3};
-constexpr Quantity kTime{time_text, time_change_text, 1e-3};
+constexpr Quantity kTime{verify::time_text, time_change_text, 1e-3};
 constexpr Quantity kPath{path_text, path_change_text, 1e-3};
 constexpr Quantity kCount{count_text, count_text};
 
@@ -102,14 +102,14 @@ private:
     std::string rows_;
 };
 
-verify::Distances distances_of(const ReviewSide& side) {
+verify::Distances distances_of(const simulation::ReviewSide& side) {
     std::map<int, verify::Distances> all;
     for (const auto& [number, tool] : side.tools)
         all.emplace(number, tool.distances);
     return verify::total(all);
 }
 
-void put_program(Table& table, const Review& review) {
+void put_program(Table& table, const simulation::Review& review) {
     const verify::Distances before = distances_of(review.old_side);
     const verify::Distances after = distances_of(review.new_side);
     table.put_number("volume of the part", review.difference.old_mm3, review.difference.new_mm3,
@@ -123,18 +123,18 @@ void put_program(Table& table, const Review& review) {
         table.put_number("dwells", before.dwell_seconds, after.dwell_seconds, kTime);
 }
 
-void put_tool(Table& table, int number, const ReviewTool* before, const ReviewTool* after,
-              LengthUnit unit) {
+void put_tool(Table& table, int number, const simulation::ReviewTool* before,
+              const simulation::ReviewTool* after, LengthUnit unit) {
     table.put_heading(fmt::format("T{}", number));
-    const auto text = [&](const char* name, std::string ReviewTool::*member) {
+    const auto text = [&](const char* name, std::string simulation::ReviewTool::*member) {
         table.put_text(name, before ? before->*member : std::string(),
                        after ? after->*member : std::string());
     };
     table.put_text("shape", before ? tool_in_unit(before->shape, unit) : "not used",
                    after ? tool_in_unit(after->shape, unit) : "not used");
-    text("feed", &ReviewTool::feed);
-    text("spindle", &ReviewTool::spindle);
-    text("coolant", &ReviewTool::coolant);
+    text("feed", &simulation::ReviewTool::feed);
+    text("spindle", &simulation::ReviewTool::spindle);
+    text("coolant", &simulation::ReviewTool::coolant);
     const verify::Distances none;
     const verify::Distances& a = before ? before->distances : none;
     const verify::Distances& b = after ? after->distances : none;
@@ -144,16 +144,16 @@ void put_tool(Table& table, int number, const ReviewTool* before, const ReviewTo
 
 }  // namespace
 
-std::string review_table(const Review& review, LengthUnit unit) {
+std::string review_table(const simulation::Review& review, LengthUnit unit) {
     Table table(unit);
     put_program(table, review);
     std::set<int> numbers;
-    for (const ReviewSide* side : {&review.old_side, &review.new_side}) {
+    for (const simulation::ReviewSide* side : {&review.old_side, &review.new_side}) {
         for (const auto& [number, tool] : side->tools) {
             if (!tool.shape.empty()) numbers.insert(number);
         }
     }
-    const auto find = [](const ReviewSide& side, int number) {
+    const auto find = [](const simulation::ReviewSide& side, int number) {
         const auto found = side.tools.find(number);
         return found == side.tools.end() ? nullptr : &found->second;
     };

@@ -4,13 +4,13 @@
 #pragma once
 
 #include "ncsim/report/length_unit.h"
-#include "ncsim/report/review.h"
+#include "ncsim/simulation/review.h"
 
 #include <string>
 
 namespace ncsim::report {
 
 /// Returns the table as HTML. Rows with different values have the class "differs".
-std::string review_table(const Review& review, LengthUnit unit);
+std::string review_table(const simulation::Review& review, LengthUnit unit);
 
 }  // namespace ncsim::report

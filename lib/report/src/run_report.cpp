@@ -3,13 +3,13 @@
 // Report at the end of a run.
 #include "ncsim/report/run_report.h"
 
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/plain_text.h"
+#include "ncsim/base/version.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/machining_time.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/report/value_source.h"
-#include "ncsim/report/version.h"
 #include "ncsim/verify/machine_description.h"
+#include "ncsim/verify/machining_time.h"
 
 #include "append.h"
 #include "json.h"
@@ -43,7 +43,7 @@ Json source(toolpath::ValueSource by, gcode::SourceSpan span, const std::string&
 
 // Returns the times; a time is null if a feed is not specified.
 Json time_json(const verify::Distances& distances) {
-    const MachiningTime time = time_of(distances);
+    const verify::MachiningTime time = time_of(distances);
     const auto known = [](const std::optional<double>& s) {
         return s ? Json(round_value(*s)) : Json();
     };
@@ -51,7 +51,7 @@ Json time_json(const verify::Distances& distances) {
             {"total_seconds", known(time.total())},
             {"feed_seconds", known(time.feed)},
             {"rapid_seconds", round_value(time.rapid)},
-            {"rapid_mm_per_min", kAssumedRapid},
+            {"rapid_mm_per_min", verify::kAssumedRapid},
             {"tool_changes", distances.tool_changes},
             {"tool_change_seconds", round_value(time.tool_changes)},
             {"dwell_seconds", round_value(time.dwells)}};
@@ -85,7 +85,7 @@ Json tools_json(const RunFacts& run) {
             const auto removed = run.part->removed_by_tool.find(number);
             tool["removed_mm3"] =
                 removed == run.part->removed_by_tool.end() ? 0.0 : round_value(removed->second);
-            const CutterFacts facts = run.part->cutters.at(number);
+            const simulation::CutterFacts facts = run.part->cutters.at(number);
             tool["sides"] = facts.sides;
             tool["error_mm"] = round_value(facts.error_mm);
         }
@@ -197,7 +197,7 @@ std::string thin_text(const cda::ThinPlaces& thin, std::uint32_t line, std::stri
         thin.missing, volume_text(thin.missing_mm3));
 }
 
-std::string aliasing_text(const AliasingFacts& aliasing, double resolution) {
+std::string aliasing_text(const simulation::AliasingFacts& aliasing, double resolution) {
     std::string text =
         thin_text(aliasing.material, aliasing.material_line, "material", resolution) +
         thin_text(aliasing.gaps, aliasing.gap_line, "gaps", resolution);
@@ -244,7 +244,7 @@ std::string tool_line(const RunFacts& run, int number) {
     if (used == by_tool.end() || run.cutting.at_line) return text + "\n";
     append(text, ", {:.1f} mm at feed", used->second.feed_mm);
     const std::optional<double> seconds = time_of(used->second).total();
-    if (seconds && !run.on_machine) append(text, ", {}", time_text(*seconds));
+    if (seconds && !run.on_machine) append(text, ", {}", verify::time_text(*seconds));
     return text + "\n";
 }
 
@@ -268,7 +268,7 @@ std::string operation_lines(const RunFacts& run, int tool) {
     for (const OperationRow& row : operation_rows(
              *run.program, has_removed ? run.part->removed_by_operation : std::vector<double>{},
              tool)) {
-        const ProgramFacts::Operation& operation = row.operation;
+        const simulation::ProgramFacts::Operation& operation = row.operation;
         append(text, "    {}: ",
                operation.name.empty()
                    ? "without a name"
@@ -276,7 +276,7 @@ std::string operation_lines(const RunFacts& run, int tool) {
         if (has_removed) append(text, "{} removed, ", volume_text(row.removed_mm3));
         append(text, "{:.1f} mm at feed", operation.distances.feed_mm);
         const std::optional<double> seconds = time_of(operation.distances).total();
-        if (seconds && !run.on_machine) append(text, ", {}", time_text(*seconds));
+        if (seconds && !run.on_machine) append(text, ", {}", verify::time_text(*seconds));
         text += "\n";
     }
     return text;
@@ -284,7 +284,7 @@ std::string operation_lines(const RunFacts& run, int tool) {
 
 Json operations_json(const RunFacts& run) {
     Json operations = Json::array();
-    for (const ProgramFacts::Operation& operation : run.program->operations) {
+    for (const simulation::ProgramFacts::Operation& operation : run.program->operations) {
         Json json{{"tool", operation.tool}};
         if (!operation.name.empty()) {
             json["name"] = operation.name;
@@ -305,7 +305,7 @@ Json operations_json(const RunFacts& run) {
 std::string summary(const RunFacts& run) {
     std::string text;
     if (run.part) {
-        const PartFacts& s = *run.part;
+        const simulation::PartFacts& s = *run.part;
         append(text, "part      {} of {}; {} removed in {} hulls\n", volume_text(s.part_volume),
                volume_text(s.stock_volume), volume_text(s.stock_volume - s.part_volume), s.hulls);
         if (s.part_volume_error > 0.0) {
@@ -374,7 +374,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
     json["simulated"] = run.part != nullptr;
     if (run.cutting.at_line) json["at_line"] = *run.cutting.at_line;
     if (run.part) {
-        const PartFacts& s = *run.part;
+        const simulation::PartFacts& s = *run.part;
         json["model"] = {{"name", run.cutting.model},
                          {"lattice_unit_mm", s.lattice.unit_mm},
                          {"hulls", s.hulls}};

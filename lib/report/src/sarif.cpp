@@ -5,9 +5,9 @@
 #include "ncsim/report/sarif.h"
 
 #include "ncsim/base/ascii.h"
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/version.h"
 #include "ncsim/report/check_text.h"
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/version.h"
 #include "ncsim/verify/rule.h"
 
 #include "fingerprint.h"

@@ -3,7 +3,7 @@
 // Subprograms judged with their callers, and files that are left out.
 #include "ncsim/report/scope.h"
 
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 
 #include <fmt/format.h>
 

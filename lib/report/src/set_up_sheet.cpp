@@ -3,9 +3,9 @@
 // Writes set-up sheets.
 #include "ncsim/report/set_up_sheet.h"
 
+#include "ncsim/base/version.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/machining_time.h"
-#include "ncsim/report/version.h"
+#include "ncsim/verify/machining_time.h"
 
 #include "markup.h"
 #include "operation_rows.h"
@@ -98,7 +98,7 @@ void write_tools(std::ostream& out, const SheetSetUp& set_up, LengthUnit unit) {
                                        d->second.rapid_mm),
                            unit);
             const auto seconds = time_of(d->second).total();
-            time = seconds ? time_text(*seconds) : "?";
+            time = seconds ? verify::time_text(*seconds) : "?";
         }
         std::string shape = tool_in_unit(toolpath::describe(used.tool), unit);
         if (!used.assumed_values_text.empty())
@@ -120,7 +120,7 @@ void write_tools(std::ostream& out, const SheetSetUp& set_up, LengthUnit unit) {
     out << "</table>\n";
 }
 
-void write_operations(std::ostream& out, const ProgramFacts& program, LengthUnit unit) {
+void write_operations(std::ostream& out, const simulation::ProgramFacts& program, LengthUnit unit) {
     const std::vector<OperationRow> rows = operation_rows(program);
     if (rows.empty()) return;
     out << "<h2>Operations</h2>\n<table>\n<tr><th>line</th><th>operation</th><th>tool</th>"
@@ -134,7 +134,7 @@ void write_operations(std::ostream& out, const ProgramFacts& program, LengthUnit
             in_unit(fmt::format("{:.0f} mm feed, {:.0f} mm rapid", operation.distances.feed_mm,
                                 operation.distances.rapid_mm),
                     unit),
-            seconds ? time_text(*seconds) : "?");
+            seconds ? verify::time_text(*seconds) : "?");
     }
     out << "</table>\n";
 }

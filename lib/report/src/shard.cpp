@@ -3,8 +3,8 @@
 // Shard files: writing, reading and the distribution of programs.
 #include "ncsim/report/shard.h"
 
-#include "ncsim/report/plain_text.h"
-#include "ncsim/report/version.h"
+#include "ncsim/base/plain_text.h"
+#include "ncsim/base/version.h"
 
 #include "json.h"
 

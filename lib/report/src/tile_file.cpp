@@ -3,8 +3,8 @@
 // Tile files: writing, reading, and the order of tiles.
 #include "ncsim/report/tile_file.h"
 
-#include "ncsim/report/plain_text.h"
-#include "ncsim/report/version.h"
+#include "ncsim/base/plain_text.h"
+#include "ncsim/base/version.h"
 
 #include "json.h"
 

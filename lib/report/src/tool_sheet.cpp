@@ -3,8 +3,8 @@
 // The tool sheet as text and JSON.
 #include "ncsim/report/tool_sheet.h"
 
+#include "ncsim/base/file_names.h"
 #include "ncsim/report/describe.h"
-#include "ncsim/report/file_names.h"
 #include "ncsim/report/value_source.h"
 
 #include "append.h"
@@ -22,7 +22,7 @@ namespace ncsim::report {
 namespace {
 
 // Returns the distances of a tool; null if the tool does not move.
-const verify::Distances* distances_of(const ProgramFacts& program, int number) {
+const verify::Distances* distances_of(const simulation::ProgramFacts& program, int number) {
     const auto found = program.distances.find(number);
     if (found == program.distances.end()) return nullptr;
     const verify::Distances& d = found->second;
@@ -31,7 +31,7 @@ const verify::Distances* distances_of(const ProgramFacts& program, int number) {
 
 // Returns the numbers of all tools that move or are described, ascending.
 std::set<int> numbers_of(const std::vector<toolpath::ToolEntry>& described,
-                         const ProgramFacts& program) {
+                         const simulation::ProgramFacts& program) {
     std::set<int> numbers;
     for (const auto& [number, distances] : program.distances) {
         if (distances_of(program, number)) numbers.insert(number);
@@ -46,8 +46,8 @@ std::set<int> numbers_of(const std::vector<toolpath::ToolEntry>& described,
 }
 
 // Returns the shape of a tool as used, or as described. An unspecified length is omitted.
-std::string shape_of(const std::vector<toolpath::ToolEntry>& described, const ProgramFacts& program,
-                     int number) {
+std::string shape_of(const std::vector<toolpath::ToolEntry>& described,
+                     const simulation::ProgramFacts& program, int number) {
     const auto used = program.tools.find(number);
     if (used != program.tools.end()) return toolpath::describe(used->second.tool);
     const toolpath::ToolEntry* entry = toolpath::find_tool(described, number);
@@ -64,8 +64,8 @@ std::string shape_of(const std::vector<toolpath::ToolEntry>& described, const Pr
 
 class ToolSheet {
 public:
-    ToolSheet(const std::vector<toolpath::ToolEntry>& described, const ProgramFacts& program,
-              const Plunges& plunges, LengthUnit unit)
+    ToolSheet(const std::vector<toolpath::ToolEntry>& described,
+              const simulation::ProgramFacts& program, const Plunges& plunges, LengthUnit unit)
         : described_(described), program_(program), plunges_(plunges), unit_(unit) {}
 
     std::string text() {
@@ -94,7 +94,7 @@ private:
             tool_in_unit(shape_of(described_, program_, number), unit_));
         const auto used = program_.tools.find(number);
         if (used != program_.tools.end()) {
-            const UsedTool& tool = used->second;
+            const simulation::UsedTool& tool = used->second;
             add("  source",
                 specified(tool.specified_by, tool.span, tool.text, tool.file, "--tool"));
             if (!tool.assumed_values_text.empty())
@@ -134,7 +134,7 @@ private:
     }
 
     const std::vector<toolpath::ToolEntry>& described_;
-    const ProgramFacts& program_;
+    const simulation::ProgramFacts& program_;
     const Plunges& plunges_;
     LengthUnit unit_;
     std::string text_;
@@ -165,14 +165,14 @@ Json source_json(toolpath::ValueSource by, gcode::SourceSpan span, const std::st
 
 }  // namespace
 
-std::string tool_sheet(const ProgramFacts& program,
+std::string tool_sheet(const simulation::ProgramFacts& program,
                        const std::vector<toolpath::ToolEntry>& described, const Plunges& plunges,
                        LengthUnit unit) {
     return ToolSheet(described, program, plunges, unit).text();
 }
 
 std::string tool_sheet_json(const std::string& name, const std::string& set_up,
-                            const ProgramFacts& program,
+                            const simulation::ProgramFacts& program,
                             const std::vector<toolpath::ToolEntry>& described,
                             const Plunges& plunges) {
     Json tools = Json::array();
@@ -184,7 +184,7 @@ std::string tool_sheet_json(const std::string& name, const std::string& set_up,
         tool["described"] = used != program.tools.end() || entry != nullptr;
         tool["used"] = distances != nullptr || program.unknown_tools.contains(number);
         if (used != program.tools.end()) {
-            const UsedTool& u = used->second;
+            const simulation::UsedTool& u = used->second;
             add_spec(tool, u.spec);
             tool["source"] = source_json(u.specified_by, u.span, u.file, u.text);
             tool["assumed"] = u.assumed_values_text;

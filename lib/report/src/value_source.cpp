@@ -3,7 +3,7 @@
 // Sources of values, as text.
 #include "ncsim/report/value_source.h"
 
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 
 #include <fmt/format.h>
 

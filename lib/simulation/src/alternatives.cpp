@@ -64,7 +64,7 @@ double widest_radius(const Survey& survey) {
 
 // Returns the first rapid move in several axes whose box comes near the stock or a fixture, or
 // null. Only such moves can meet a body on one path and miss the body on the second.
-const report::ProgramFacts::SlantingRapid* first_rapid_near_bodies(
+const ProgramFacts::SlantingRapid* first_rapid_near_bodies(
     const Survey& survey, const VerificationOptions& verification_options) {
     if (!survey.is_ready()) return nullptr;
     std::vector<Box> bodies{survey.stock->box};
@@ -204,7 +204,7 @@ std::vector<Alternative> alternatives_of(const Plan& plan, const Survey& survey,
     return found;
 }
 
-std::string difference(const report::Checked& verdict, const report::Checked& other) {
+std::string difference(const Checked& verdict, const Checked& other) {
     if (const auto* f = missing_finding(other.verdict, verdict.verdict)) return described(*f);
     if (const auto* f = missing_finding(verdict.verdict, other.verdict))
         return "without " + described(*f);
@@ -219,7 +219,7 @@ namespace {
 
 // True if the parts differ by a hundredth of the removed volume. Smaller differences are corners
 // where compensation begins; a design decides whether these matter.
-bool is_another_part(const report::Checked& verdict, double more_mm3) {
+bool is_another_part(const Checked& verdict, double more_mm3) {
     constexpr double kLeastShare = 0.01;
     constexpr double kLeastVolume = 0.01;  // mm³
     const double removed = verdict.verdict.ledger.stock_mm3 - verdict.verdict.ledger.rest_mm3;
@@ -228,8 +228,7 @@ bool is_another_part(const report::Checked& verdict, double more_mm3) {
 
 }  // namespace
 
-std::optional<verify::Doubt> doubt_from(const report::Checked& verdict,
-                                        const report::Checked& other,
+std::optional<verify::Doubt> doubt_from(const Checked& verdict, const Checked& other,
                                         const Alternative& alternative) {
     std::string found = difference(verdict, other);
     if (!found.empty()) {

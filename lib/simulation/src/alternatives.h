@@ -4,7 +4,7 @@
 // readings agree.
 #pragma once
 
-#include "ncsim/report/checked.h"
+#include "ncsim/simulation/checked.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/verify/doubt.h"
@@ -34,11 +34,10 @@ std::vector<Alternative> alternatives_of(const Plan& plan, const Survey& survey,
                                          const VerificationOptions& verification_options);
 
 /// Returns the most severe difference of `other` from `verdict`, or an empty string.
-std::string difference(const report::Checked& verdict, const report::Checked& other);
+std::string difference(const Checked& verdict, const Checked& other);
 
 /// Returns the doubt about `verdict` if `other`, the verdict of `alternative`, differs.
-std::optional<verify::Doubt> doubt_from(const report::Checked& verdict,
-                                        const report::Checked& other,
+std::optional<verify::Doubt> doubt_from(const Checked& verdict, const Checked& other,
                                         const Alternative& alternative);
 
 }  // namespace ncsim::simulation

@@ -61,8 +61,8 @@ bool moves_alike(const SurveyedPlan& a, const SurveyedPlan& b) {
 
 // Returns what the program of `side` still removes from the finished part of `other`. `rest`
 // becomes the material of both parts.
-report::OneSidedMaterial remainder(const SurveyedPlan& side, const Simulation& other,
-                                   std::unique_ptr<cda::WorkpieceModel>& rest) {
+OneSidedMaterial remainder(const SurveyedPlan& side, const Simulation& other,
+                           std::unique_ptr<cda::WorkpieceModel>& rest) {
     verify::Setup setup;
     setup.ledger = true;
     for (const verify::RuleInfo& rule : verify::rules())
@@ -76,7 +76,7 @@ report::OneSidedMaterial remainder(const SurveyedPlan& side, const Simulation& o
     Simulation cut = simulate(side.plan, side.survey, verification, {});
     const verify::Verdict verdict =
         verifier.finish(side.survey.interpretation, cut.part.get(), cut.stock_volume);
-    report::OneSidedMaterial result;
+    OneSidedMaterial result;
     result.regions = verify::regions_of(verdict.ledger);
     result.volume_mm3 = verdict.ledger.removed_mm3;
     result.files = verdict.files;
@@ -90,7 +90,7 @@ Comparison compare_with_parts(const SurveyedPlan& a, const SurveyedPlan& b) {
     require_verifying(a.plan);
     require_verifying(b.plan);
     Comparison result;
-    report::Difference& d = result.difference;
+    Difference& d = result.difference;
     d.process = compare_processes(a.plan, a.survey, b.plan, b.survey);
     Verification verification;
     verification.keep_cuts = true;
@@ -110,7 +110,7 @@ Comparison compare_with_parts(const SurveyedPlan& a, const SurveyedPlan& b) {
     return result;
 }
 
-report::Difference compare_parts(const SurveyedPlan& a, const SurveyedPlan& b) {
+Difference compare_parts(const SurveyedPlan& a, const SurveyedPlan& b) {
     return compare_with_parts(a, b).difference;
 }
 

@@ -106,9 +106,9 @@ std::string words_for(const Condition& c) {
 
 using ConditionIterator = std::vector<Condition>::const_iterator;
 
-std::vector<report::ProcessDifference::Run> runs_of(ConditionIterator first, ConditionIterator last,
-                                                    const Plan& plan, const Survey& survey) {
-    std::vector<report::ProcessDifference::Run> runs;
+std::vector<ProcessDifference::Run> runs_of(ConditionIterator first, ConditionIterator last,
+                                            const Plan& plan, const Survey& survey) {
+    std::vector<ProcessDifference::Run> runs;
     for (; first != last; ++first) {
         const auto& files = survey.interpretation.files;
         runs.push_back({first->file < files.size() && first->file != 0 ? files[first->file]
@@ -142,8 +142,8 @@ void append_part(std::string& text, const std::string& part) {
     text += (text.empty() ? "" : ", ") + part;
 }
 
-report::ToolProcess text_of(const ToolValues& values) {
-    report::ToolProcess process;
+ToolProcess text_of(const ToolValues& values) {
+    ToolProcess process;
     for (const auto& [mode, feeds] : values.feeds)
         append_part(process.feed, feeds.text() + ' ' + std::string(unit_of(mode)));
     for (const auto& [turning, speeds] : values.speeds) {
@@ -159,7 +159,7 @@ report::ToolProcess text_of(const ToolValues& values) {
 
 }  // namespace
 
-std::map<int, report::ToolProcess> processes_by_tool(const Plan& plan) {
+std::map<int, ToolProcess> processes_by_tool(const Plan& plan) {
     std::map<int, ToolValues> values;
     for (const Condition& c : conditions_of(plan)) {
         if (c.dwell_s > 0.0) continue;
@@ -168,14 +168,14 @@ std::map<int, report::ToolProcess> processes_by_tool(const Plan& plan) {
         of_tool.speeds[c.spindle].add(c.rpm);
         of_tool.coolants.insert(words_for(c.coolant));
     }
-    std::map<int, report::ToolProcess> processes;
+    std::map<int, ToolProcess> processes;
     for (const auto& [tool, of_tool] : values)
         processes.emplace(tool, text_of(of_tool));
     return processes;
 }
 
-report::ProcessDifference compare_processes(const Plan& old_plan, const Survey& old_survey,
-                                            const Plan& new_plan, const Survey& new_survey) {
+ProcessDifference compare_processes(const Plan& old_plan, const Survey& old_survey,
+                                    const Plan& new_plan, const Survey& new_survey) {
     const std::vector<Condition> a = conditions_of(old_plan);
     const std::vector<Condition> b = conditions_of(new_plan);
     const auto [front_a, front_b] = std::ranges::mismatch(a, b, same);

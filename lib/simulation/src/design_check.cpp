@@ -5,8 +5,8 @@
 
 #include "ncsim/base/triangle_tree.h"
 #include "ncsim/cda/check.h"
-#include "ncsim/report/describe.h"
 #include "ncsim/setup/mesh_file.h"
+#include "ncsim/simulation/describe.h"
 #include "ncsim/verify/design_comparison.h"
 
 #include "clip_to_box.h"
@@ -38,7 +38,7 @@ std::vector<verify::LineRange> lines_of(const DesignRegion& region, const Simula
 
 Finding finding_for(const DesignRegion& region, const Simulation& simulation) {
     Finding f;
-    const Cut& cut = simulation.cuts.at(static_cast<std::size_t>(region.origin));
+    const CutRecord& cut = simulation.cuts.at(static_cast<std::size_t>(region.origin));
     f.place = f.last = cut.place;
     f.first_motion = f.last_motion = cut.motion;
     f.tool = cut.tool;
@@ -108,7 +108,7 @@ Finding gouge(const DesignRegion& region, const Design& design, const Simulation
     f.message = "the part is cut into the design";
     const auto lines = lines_of(region, simulation);
     if (lines.size() > 1 || (!lines.empty() && lines.front().first != lines.front().last)) {
-        f.message += ", around here by lines " + report::lines_text(lines);
+        f.message += ", around here by lines " + verify::lines_text(lines);
     }
     f.quantity = verify::Quantity{"depth", region.depth_mm, "mm"};
     return f;
@@ -127,7 +127,7 @@ Finding excess(const DesignRegion& region, const Design& design, const Simulatio
     f.message = "material is left that the design does not have";
     const auto lines = lines_of(region, simulation);
     f.message += lines.empty() ? ", where nothing was cut"
-                               : ", adjacent to the cut of lines " + report::lines_text(lines);
+                               : ", adjacent to the cut of lines " + verify::lines_text(lines);
     f.quantity = verify::Quantity{"thickness", region.depth_mm, "mm"};
     return f;
 }
@@ -140,7 +140,7 @@ Finding nothing_left_finding(const Design& design) {
     return f;
 }
 
-report::DesignFacts::Side side_of(const verify::DesignSide& side) {
+DesignFacts::Side side_of(const verify::DesignSide& side) {
     return {side.regions.empty() ? 0.0 : side.regions.front().depth_mm, side.volume_mm3,
             side.regions.size()};
 }
@@ -167,7 +167,7 @@ void require_tolerance(const Design& design) {
 }
 
 std::vector<Finding> compare_with(const Design& design, const Simulation& simulation,
-                                  report::DesignFacts& facts) {
+                                  DesignFacts& facts) {
     std::vector<Finding> findings;
     facts.path = design.path;
     facts.tolerance_mm = design.tolerance_mm;

@@ -44,7 +44,7 @@ DesignView design_view(const Design& design, const Simulation& simulation,
         view.places.push_back({f.rule == "gouge", f.quantity->value, *f.point,
                                f.place.file == 0 ? f.place.span.line : 0});
     }
-    report::DeviationMesh measured = deviation_mesh(cda::triangulate(boundary), design);
+    DeviationMesh measured = deviation_mesh(cda::triangulate(boundary), design);
     view.distances.mesh = std::move(measured.mesh);
     view.distances.distance_mm = std::move(measured.deviation_mm);
     view.distances.tolerance_mm = design.tolerance_mm;

@@ -44,10 +44,10 @@ public:
         face_ = part.face;
     }
 
-    report::DeviationMesh run() {
+    DeviationMesh run() {
         while (halve_once()) {
         }
-        report::DeviationMesh result;
+        DeviationMesh result;
         result.mesh.vertices = std::move(points_);
         result.mesh.triangles = std::move(triangles_);
         result.mesh.face = std::move(face_);
@@ -141,7 +141,7 @@ private:
 
 }  // namespace
 
-report::DeviationMesh deviation_mesh(const TriangleMesh& part, const Design& design) {
+DeviationMesh deviation_mesh(const TriangleMesh& part, const Design& design) {
     return Halving(part, design).run();
 }
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ncsim/base/triangle_mesh.h"
-#include "ncsim/report/checked.h"
+#include "ncsim/simulation/checked.h"
 #include "ncsim/simulation/design_check.h"
 
 namespace ncsim::simulation {
@@ -15,6 +15,6 @@ namespace ncsim::simulation {
 /// Requires: `part` and the design are not empty.
 /// Returns: a mesh with the vertices of `part` first, and with its faces.
 /// Cost: two queries of the design for each corner of the result.
-report::DeviationMesh deviation_mesh(const TriangleMesh& part, const Design& design);
+DeviationMesh deviation_mesh(const TriangleMesh& part, const Design& design);
 
 }  // namespace ncsim::simulation

@@ -9,8 +9,8 @@
 
 namespace ncsim::simulation {
 
-report::FaceForm form_of(const brep::Surface& surface) {
-    report::FaceForm form;
+FaceForm form_of(const brep::Surface& surface) {
+    FaceForm form;
     form.name = "swept surface";
     if (surface.form.index() < brep::kForms.size()) form.name = brep::kForms[surface.form.index()];
     form.is_hollow = surface.is_hollow;

@@ -44,7 +44,7 @@ bool is_same_kind(const gcode::Motion& a, const gcode::Motion& b) {
 
 }  // namespace
 
-MoveJoiner::MoveJoiner(double tolerance_mm, gcode::MotionSink sink,
+MoveJoiner::MoveJoiner(double tolerance_mm, Sink sink,
                        std::span<const toolpath::OperationName> names)
     : tolerance_mm_(tolerance_mm), sink_(std::move(sink)), names_(names) {}
 
@@ -80,7 +80,7 @@ bool MoveJoiner::can_join(const gcode::Motion& next) const {
 }
 
 void MoveJoiner::take(const gcode::Motion& motion) {
-    if (tolerance_mm_ <= 0.0) return sink_(motion);
+    if (tolerance_mm_ <= 0.0) return sink_(motion, 1);
     if (can_join(motion)) {
         auto& row = std::get<gcode::Linear>(held_->action);
         intermediate_ends_.push_back(place(row.to));
@@ -90,14 +90,14 @@ void MoveJoiner::take(const gcode::Motion& motion) {
         return;
     }
     flush();
-    if (!plain_line(motion)) return sink_(motion);
+    if (!plain_line(motion)) return sink_(motion, 1);
     held_ = motion;
     last_line_ = motion.span.line;
 }
 
 void MoveJoiner::flush() {
     if (!held_) return;
-    sink_(*held_);
+    sink_(*held_, intermediate_ends_.size() + 1);
     held_.reset();
     intermediate_ends_.clear();
 }

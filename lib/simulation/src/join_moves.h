@@ -6,10 +6,12 @@
 #pragma once
 
 #include "ncsim/base/vec3.h"
-#include "ncsim/gcode/interpreter.h"
+#include "ncsim/gcode/motion.h"
 #include "ncsim/toolpath/operation_name.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,12 +21,14 @@ namespace ncsim::simulation {
 /// Joins successive straight moves.
 class MoveJoiner {
 public:
+    /// Receives a motion and the number of motions that were joined to it, at least 1.
+    using Sink = std::function<void(const gcode::Motion&, std::size_t count)>;
+
     /// Passes motions on to `sink`, in order. A joined move stays within `tolerance_mm` of every
     /// end of its moves, passes the ends in order, and has the block of its first move; 0 joins no
     /// moves. Moves in front of and behind one of `names`, which must outlive the object, are not
     /// joined.
-    MoveJoiner(double tolerance_mm, gcode::MotionSink sink,
-               std::span<const toolpath::OperationName> names);
+    MoveJoiner(double tolerance_mm, Sink sink, std::span<const toolpath::OperationName> names);
 
     /// Adds a motion. Cost: the length of the current row, at most 256 places.
     void take(const gcode::Motion& motion);
@@ -38,7 +42,7 @@ private:
     bool has_name_before(const gcode::Motion& next) const;
 
     double tolerance_mm_;
-    gcode::MotionSink sink_;
+    Sink sink_;
     std::span<const toolpath::OperationName> names_;
     std::uint32_t last_line_ = 0;  ///< Of the held move.
     /// Joined move from the start of the row to its current end.

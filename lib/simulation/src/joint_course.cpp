@@ -3,9 +3,9 @@
 // Joint positions over time, with keys where the motion deviates from a line.
 #include "ncsim/simulation/joint_course.h"
 
-#include "ncsim/report/machining_time.h"
 #include "ncsim/toolpath/joint_path.h"
 #include "ncsim/verify/distances.h"
+#include "ncsim/verify/machining_time.h"
 
 #include "motions.h"
 #include "until_line.h"
@@ -22,7 +22,7 @@ namespace {
 using machine::Values;
 
 constexpr double kDegreesPerSecond = 180.0;
-constexpr double kRapidPerSecond = report::kAssumedRapid / 60.0;
+constexpr double kRapidPerSecond = verify::kAssumedRapid / 60.0;
 
 // Largest number of halvings of a leg, which limits its keys.
 constexpr int kMostHalvings = 12;
@@ -83,7 +83,7 @@ private:
     double seconds_of(const gcode::Motion& motion) {
         verify::Distances distances;
         verify::add(distances, motion, &machine_);
-        if (distances.feed_seconds) return *report::time_of(distances).total();
+        if (distances.feed_seconds) return *verify::time_of(distances).total();
         ++course_.without_feed;
         return distances.feed_mm / kRapidPerSecond;
     }

@@ -3,10 +3,10 @@
 // The part as stock of the next run.
 #include "ncsim/simulation/left_shape.h"
 
+#include "ncsim/base/plain_text.h"
 #include "ncsim/brep/candidate_filter.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/cda/workpiece.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/simulation/stock_history.h"
 
 #include "sources.h"
@@ -41,7 +41,7 @@ cda::Shape take_left_shape(const Plan& plan, const Survey& survey, Simulation& s
     simulation.carved.clear();
     shape.assumed.clear();
     for (const std::string& text : assumed)
-        shape.assumed.push_back(report::one_line(text));
+        shape.assumed.push_back(one_line(text));
     const mesh::Provenance& provenance = simulation.provenance;
     shape.sources.clear();
     for (const mesh::Provenance::Entry& entry : provenance.entries)

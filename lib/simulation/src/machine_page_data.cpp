@@ -20,8 +20,6 @@ namespace ncsim::simulation {
 
 namespace {
 
-using report::MachinePageData;
-
 std::vector<MachinePageData::Joint> joints_of(const machine::Chain& chain) {
     std::vector<MachinePageData::Joint> joints;
     for (const machine::Joint& joint : chain.joints) {
@@ -46,7 +44,7 @@ machine::Values values_at(const JointCourse& course, double seconds) {
 // Adds the pieces of a tool, with the tip `length` below the spindle nose.
 void add_tool(const toolpath::Tool& tool, double length, std::int32_t number,
               const machine::Chain& moved_by, MachinePageData& look) {
-    for (report::ColouredMesh& piece : tool_pieces(tool)) {
+    for (ColouredMesh& piece : tool_pieces(tool)) {
         MachinePageData::Body body;
         body.name = "tool";
         body.colour = piece.colour;

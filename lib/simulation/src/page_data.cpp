@@ -33,9 +33,9 @@ constexpr std::size_t kMostTriangles = 400'000;
 // Forms, each listed once, from 1.
 class FormList {
 public:
-    explicit FormList(std::vector<report::FaceForm>& forms) : forms_(forms) {}
+    explicit FormList(std::vector<FaceForm>& forms) : forms_(forms) {}
 
-    std::uint32_t number_of(report::FaceForm form) {
+    std::uint32_t number_of(FaceForm form) {
         // Motions along one bore leave the same cylinder; decimals that no page shows are dropped.
         std::vector<std::int64_t> key;
         for (const double length : form.dimensions)
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    std::vector<report::FaceForm>& forms_;
+    std::vector<FaceForm>& forms_;
     std::map<std::pair<std::string, std::vector<std::int64_t>>, std::uint32_t> numbers_;
 };
 
@@ -77,7 +77,7 @@ std::size_t triangles_of(const cda::Boundary& boundary) {
 
 void add_pictures(const Survey& survey, const Simulation& simulation, const cda::Boundary& boundary,
                   std::span<const verify::Fixture> fixtures, const brep::Shading& shading,
-                  report::PageData& data) {
+                  PageData& data) {
     exporter::RenderOptions render;
     render.width = 800;
     render.height = 600;
@@ -100,10 +100,10 @@ void add_pictures(const Survey& survey, const Simulation& simulation, const cda:
 
 }  // namespace
 
-report::PageData page_data(const Plan& plan, const Survey& survey, const Simulation& simulation,
-                           const cda::Boundary& boundary, std::span<const verify::Fixture> fixtures,
-                           bool has_pictures) {
-    report::PageData data;
+PageData page_data(const Plan& plan, const Survey& survey, const Simulation& simulation,
+                   const cda::Boundary& boundary, std::span<const verify::Fixture> fixtures,
+                   bool has_pictures) {
+    PageData data;
     data.source = plan.job.program.text;
     data.stock = survey.stock->box;
     for (const verify::Fixture& fixture : fixtures) {
@@ -139,7 +139,7 @@ report::PageData page_data(const Plan& plan, const Survey& survey, const Simulat
     return data;
 }
 
-report::PlayData finish_play(PlayRecorder& play, const Simulation& simulation) {
+PlayData finish_play(PlayRecorder& play, const Simulation& simulation) {
     std::vector<std::uint32_t> lines;
     for (const mesh::Provenance::Entry& entry : simulation.provenance.entries)
         lines.push_back(entry.nc_line);

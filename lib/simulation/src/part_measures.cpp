@@ -20,9 +20,9 @@ namespace ncsim::simulation {
 
 namespace {
 
-report::CutBy cut_by(const std::vector<cda::Origin>& origins, const mesh::Provenance& provenance) {
+CutBy cut_by(const std::vector<cda::Origin>& origins, const mesh::Provenance& provenance) {
     std::set<std::uint32_t> lines, tools;
-    std::set<report::EarlierLine> earlier;
+    std::set<EarlierLine> earlier;
     for (const cda::Origin origin : origins) {
         const auto entry = provenance.of(origin);
         if (entry.is_stock()) continue;
@@ -41,13 +41,13 @@ report::CutBy cut_by(const std::vector<cda::Origin>& origins, const mesh::Proven
 
 }  // namespace
 
-report::MeasureSheet measures_of(const Plan& plan, const Survey& survey, const Solid& solid,
-                                 const cda::Boundary& boundary) {
+MeasureSheet measures_of(const Plan& plan, const Survey& survey, const Solid& solid,
+                         const cda::Boundary& boundary) {
     const brep::Part& part = solid.recognised.part;
     const TriangleMesh mesh = cda::triangulate(boundary);
     const brep::Features features = brep::features_of(part, TriangleTree(mesh));
     const auto by = [&](const auto& feature) { return cut_by(feature.origins, solid.provenance); };
-    report::MeasureSheet sheet;
+    MeasureSheet sheet;
     sheet.extents = cda::bounds(boundary);
     sheet.volume_mm3 = brep::volume(part);
     for (const brep::Bore& b : features.bores) {

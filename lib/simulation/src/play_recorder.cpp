@@ -65,7 +65,7 @@ std::uint32_t PlayRecorder::tool_index(int number) {
     const auto [known, is_new] =
         tools_.try_emplace(number, static_cast<std::uint32_t>(data_.tools.size()));
     if (is_new) {
-        report::PlayTool& tool = data_.tools.emplace_back();
+        PlayTool& tool = data_.tools.emplace_back();
         tool.name = fmt::format("T{}", number);
         const auto used = survey_.tools.find(number);
         if (used != survey_.tools.end()) {
@@ -152,7 +152,7 @@ void PlayRecorder::end_move(bool has_cut, const cda::WorkpieceModel& part) {
     has_changed_ |= has_cut;
     if (!has_steps_) return;
     simplify_move();
-    report::PlayMove move;
+    PlayMove move;
     if (motion_->file == 0) move.line = motion_->span.line;
     move.tool = tool_index(motion_->tool);
     move.is_rapid = motion_->kind == gcode::MoveKind::Rapid;
@@ -178,7 +178,7 @@ bool PlayRecorder::is_too_large() const {
 // Drops every second state. `keeps_last`: the last state stays.
 void PlayRecorder::drop_states(bool keeps_last) {
     std::vector<std::uint32_t> kept;
-    std::vector<report::PlayState> states;
+    std::vector<PlayState> states;
     for (std::uint32_t i = 0; i < data_.states.size(); ++i) {
         if (i % 2 != 0 && !(keeps_last && i + 1 == data_.states.size())) continue;
         kept.push_back(i);
@@ -190,8 +190,8 @@ void PlayRecorder::drop_states(bool keeps_last) {
     every_ *= 2;
 }
 
-report::PlayData PlayRecorder::finish(const cda::WorkpieceModel& part,
-                                      std::vector<std::uint32_t> line_of_origin) {
+PlayData PlayRecorder::finish(const cda::WorkpieceModel& part,
+                              std::vector<std::uint32_t> line_of_origin) {
     if (has_changed_ || data_.states.size() == 1) record_state(part);
     while (is_too_large() && data_.states.size() > 2)
         drop_states(true);

@@ -95,7 +95,7 @@ public:
         if (is_along_any) ++result_.moves;
     }
 
-    report::Plunges result() && {
+    Plunges result() && {
         std::vector<const Candidate*> left;
         for (const Candidate& candidate : candidates_) {
             machine::Values turned{};
@@ -133,12 +133,12 @@ private:
 
     std::vector<Candidate> candidates_;
     std::array<bool, 9> turns_{};
-    report::Plunges result_;
+    Plunges result_;
 };
 
 }  // namespace
 
-report::Plunges plunges_of(const Plan& plan) {
+Plunges plunges_of(const Plan& plan) {
     gcode::InterpreterOptions options = plan.job.interpreter;
     if (!plan.kinematics) {
         for (const int code : {428, 429, 430})

@@ -4,17 +4,17 @@
 // readings.
 #include "ncsim/simulation/program_check.h"
 
-#include "ncsim/report/describe.h"
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/machining_time.h"
+#include "ncsim/base/file_names.h"
 #include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/simulation/apply_machine.h"
+#include "ncsim/simulation/describe.h"
 #include "ncsim/simulation/fixtures.h"
 #include "ncsim/simulation/page_data.h"
 #include "ncsim/simulation/play_recorder.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/stock_history.h"
 #include "ncsim/simulation/survey.h"
+#include "ncsim/verify/machining_time.h"
 #include "ncsim/verify/verifier.h"
 
 #include "alternatives.h"
@@ -71,7 +71,7 @@ BlindCore blind_core(toolpath::ToolKind kind) {
     }
 }
 
-verify::ToolFacts facts_of(const report::UsedTool& used, const verify::ToolFacts* specified) {
+verify::ToolFacts facts_of(const UsedTool& used, const verify::ToolFacts* specified) {
     verify::ToolFacts facts;
     if (specified) facts = *specified;
     facts.tool = used.tool;
@@ -258,7 +258,7 @@ verify::Outcome stricter(verify::Outcome outcome, const verify::Verdict& verdict
     return outcome == verify::Outcome::Clean && is_accepted ? verify::Outcome::Accepted : outcome;
 }
 
-void conclude(const VerificationOptions& verification_options, report::Checked& checked) {
+void conclude(const VerificationOptions& verification_options, Checked& checked) {
     verify::Outcome outcome = checked.verdict.outcome();
     if (verification_options.warnings_as_errors) outcome = stricter(outcome, checked.verdict);
     checked.word = verdict_word(outcome);
@@ -482,7 +482,7 @@ namespace {
 // Returns the readings to compare the verdict with.
 std::vector<Alternative> check_one_reading(Plan specified_plan,
                                            const VerificationOptions& verification_options,
-                                           report::Checked& checked) {
+                                           Checked& checked) {
     checked.path = specified_plan.job.program.name;
     PreparedCheck all = prepared(std::move(specified_plan), verification_options);
     Plan& plan = all.plan;
@@ -495,8 +495,8 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
     if (specified.not_simulated) checked.not_simulated = *specified.not_simulated;
     if (survey.is_ready()) {
         checked.stock_box = survey.stock->box;
-        checked.stock = report::describe(*survey.stock) +
-                        (specified.stock_assumption.empty() ? "" : ", assumed");
+        checked.stock =
+            describe(*survey.stock) + (specified.stock_assumption.empty() ? "" : ", assumed");
     }
     verify::Share share;
     if (verification_options.tiles) {
@@ -506,10 +506,7 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
         share.evidence = verification_options.tiles->evidence;
     }
     verify::Setup setup = specified;
-    Refiner refiner(plan, survey, specified);
-    setup.refine_contact = [&refiner](const verify::OpenContact& contact) {
-        return refiner.decide(contact);
-    };
+    setup.decides_contacts = true;
     verify::Verifier verifier(std::move(setup), all.stock(), all.lattice(), std::move(share));
     verifier.add(survey.diagnostics);
     if (!verification_options.machine.bodies.empty() && !specified.machine.work_zero) {
@@ -524,6 +521,10 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
     if (checked.simulated) {
         Verification verification = all.verification();
         verification.verifier = &verifier;
+        Refiner refiner(plan, survey, specified);
+        verification.decide = [&refiner](const verify::OpenContact& contact) {
+            return refiner.decide(contact);
+        };
         verification.keep_cuts |= verification_options.wants_page;
         std::optional<PlayRecorder> play;
         if (verification_options.wants_page) {
@@ -565,17 +566,17 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
         });
         checked.verdict = verifier.finish(survey.interpretation, nullptr, 0.0);
     }
-    checked.time = report::time_line(checked.verdict.ledger);
-    checked.seconds = report::seconds_of(checked.verdict.ledger);
+    checked.time = verify::time_line(checked.verdict.ledger);
+    checked.seconds = verify::seconds_of(checked.verdict.ledger);
     if (checked.time.empty() && survey.moves > 0) {
         const verify::Distances distances = verify::total(survey.distances);
-        checked.time = report::time_line(distances);
-        checked.seconds = report::time_of(distances).total();
+        checked.time = verify::time_line(distances);
+        checked.seconds = verify::time_of(distances).total();
     }
     if (verification_options.wants_page) {
         if (!checked.page_data) checked.page_data.emplace();
         checked.page_data->source = plan.job.program.text;
-        checked.page_data->title = report::base_name(plan.job.program.name);
+        checked.page_data->title = base_name(plan.job.program.name);
     }
     checked.program = plan.job.label;
     name_program(checked.verdict, checked.program);
@@ -595,30 +596,30 @@ std::vector<Alternative> check_one_reading(Plan specified_plan,
 }
 
 // Verifies a second reading, without pictures and ledger.
-report::Checked check_alternative(const Plan& plan, const VerificationOptions& verification_options,
-                                  const Alternative& alternative) {
+Checked check_alternative(const Plan& plan, const VerificationOptions& verification_options,
+                          const Alternative& alternative) {
     Plan other = plan;
     VerificationOptions asked = verification_options;
     asked.wants_page = asked.ledger = false;
     asked.tiles = nullptr;
     alternative.apply(other, asked);
-    report::Checked found;
+    Checked found;
     check_one_reading(std::move(other), asked, found);
     return found;
 }
 
 }  // namespace
 
-void check(Plan plan, const VerificationOptions& verification_options, report::Checked& checked) {
+void check(Plan plan, const VerificationOptions& verification_options, Checked& checked) {
     const Plan same = plan;
     const std::vector<Alternative> alternatives =
         check_one_reading(std::move(plan), verification_options, checked);
     // A failed reading decides the verdict.
     if (alternatives.empty() || checked.outcome == verify::Outcome::Failed) return;
     const auto accepted = accepted_reasons(same.job.options.accept);
-    checked.word = report::Checked().word;  // until all readings are known
+    checked.word = Checked().word;  // until all readings are known
     for (const Alternative& alternative : alternatives) {
-        const report::Checked other = check_alternative(same, verification_options, alternative);
+        const Checked other = check_alternative(same, verification_options, alternative);
         std::optional<verify::Doubt> doubt = doubt_from(checked, other, alternative);
         if (!doubt) continue;
         doubt->accepted = accepted.contains(doubt->reason);
@@ -646,8 +647,8 @@ TileResult check_tile(Plan specified_plan, const VerificationOptions& verificati
     return seen;
 }
 
-report::Checked check(Plan plan, const VerificationOptions& verification_options) {
-    report::Checked checked;
+Checked check(Plan plan, const VerificationOptions& verification_options) {
+    Checked checked;
     check(std::move(plan), verification_options, checked);
     return checked;
 }

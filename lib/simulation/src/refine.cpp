@@ -45,10 +45,10 @@ Refiner::Refiner(const Plan& plan, const Survey& survey, const verify::Setup& se
       setup_(&setup),
       steps_left_(std::max(kLeastSteps, kStepsPerMove * survey.moves)) {}
 
-std::optional<Certainty> Refiner::decide(const verify::OpenContact& contact) {
+verify::ContactDecision Refiner::decide(const verify::OpenContact& contact) {
     bool is_open = false;
     for (const Box& box : contact.boxes) {
-        std::optional<Certainty> seen = Certainty::Within;
+        verify::ContactDecision seen = Certainty::Within;
         for (const double factor : {16.0, 256.0}) {
             if (seen != Certainty::Within) break;
             if (refinements_++ >= kMaxRefinements) return Certainty::Within;
@@ -57,11 +57,11 @@ std::optional<Certainty> Refiner::decide(const verify::OpenContact& contact) {
         if (seen == Certainty::Certain) return seen;
         is_open |= seen.has_value();
     }
-    return is_open ? std::optional(Certainty::Within) : std::nullopt;
+    return is_open ? verify::ContactDecision(Certainty::Within) : std::nullopt;
 }
 
-std::optional<Certainty> Refiner::refine_once(const verify::OpenContact& contact, const Box& box,
-                                              double factor) {
+verify::ContactDecision Refiner::refine_once(const verify::OpenContact& contact, const Box& box,
+                                             double factor) {
     const auto finer = [factor](double mm) {
         constexpr double kFinest = 1e-5;
         return std::max(mm / factor, kFinest);
@@ -107,7 +107,7 @@ std::optional<Certainty> Refiner::refine_once(const verify::OpenContact& contact
         return Certainty::Within;
     }
     const verify::Verdict verdict = verifier.finish(survey.interpretation, nullptr, 0.0);
-    std::optional<Certainty> seen;
+    verify::ContactDecision seen;
     for (const verify::Finding& f : verdict.findings) {
         if (f.rule != contact.rule) continue;
         if (f.certainty == Certainty::Certain) return Certainty::Certain;

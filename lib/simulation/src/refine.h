@@ -8,7 +8,6 @@
 #include "ncsim/verify/setup.h"
 
 #include <cstdint>
-#include <optional>
 
 namespace ncsim::simulation {
 
@@ -23,7 +22,7 @@ public:
     /// certain; empty if no box is open any more. After kMaxRefinements simulations, or after about
     /// as much work as the simulation of the program, all contacts stay open. The result depends on
     /// the preceding calls. Cost: a simulation per box and accuracy.
-    std::optional<verify::Certainty> decide(const verify::OpenContact& contact);
+    verify::ContactDecision decide(const verify::OpenContact& contact);
 
 private:
     static constexpr int kMaxRefinements = 64;
@@ -31,8 +30,8 @@ private:
     static constexpr std::uint64_t kStepsPerMove = 64;
     static constexpr std::uint64_t kLeastSteps = 20'000;
 
-    std::optional<verify::Certainty> refine_once(const verify::OpenContact& contact, const Box& box,
-                                                 double factor);
+    verify::ContactDecision refine_once(const verify::OpenContact& contact, const Box& box,
+                                        double factor);
 
     const Plan* plan_;
     const Survey* survey_;

@@ -45,18 +45,18 @@ const char* words_for(exporter::View view) {
     return "";
 }
 
-report::ReviewSide side_of(const SurveyedPlan& side) {
-    report::ReviewSide result;
+ReviewSide side_of(const SurveyedPlan& side) {
+    ReviewSide result;
     result.source = side.plan.job.program.text;
     result.files = side.survey.interpretation.files;
-    const std::map<int, report::ToolProcess> processes = processes_by_tool(side.plan);
+    const std::map<int, ToolProcess> processes = processes_by_tool(side.plan);
     for (const auto& [number, distances] : side.survey.distances) {
-        report::ReviewTool& tool = result.tools[number];
+        ReviewTool& tool = result.tools[number];
         tool.distances = distances;
         if (const auto used = side.survey.tools.find(number); used != side.survey.tools.end())
             tool.shape = toolpath::describe(used->second.tool);
         if (const auto found = processes.find(number); found != processes.end())
-            static_cast<report::ToolProcess&>(tool) = found->second;
+            static_cast<ToolProcess&>(tool) = found->second;
     }
     return result;
 }
@@ -83,11 +83,11 @@ public:
         if (common) common_ = common->boundary();
     }
 
-    report::ReviewPicture paint(exporter::View view, const std::vector<report::ReviewRegion>& all,
-                                bool differs) const {
+    ReviewPicture paint(exporter::View view, const std::vector<ReviewRegion>& all,
+                        bool differs) const {
         constexpr double kAspect = static_cast<double>(kWidth) / kHeight;
         const exporter::Camera camera = exporter::fit_camera(stock_, view, kAspect);
-        report::ReviewPicture picture;
+        ReviewPicture picture;
         picture.view = words_for(view);
         picture.before = part_png(a_, a_shading_, camera);
         if (!common_) return picture;
@@ -148,21 +148,20 @@ private:
     std::optional<cda::Boundary> common_;
 };
 
-using RegionLines = std::vector<verify::LineRange> report::ReviewRegion::*;
+using RegionLines = std::vector<verify::LineRange> ReviewRegion::*;
 
 // Adds the largest regions of `material`, which `part` has; the other program removed it.
-void add_regions(const report::OneSidedMaterial& material, bool is_only_old, const ShownPart& part,
+void add_regions(const OneSidedMaterial& material, bool is_only_old, const ShownPart& part,
                  const cda::WorkpieceModel& common, SeenAreas& seen,
-                 std::vector<report::ReviewRegion>& regions) {
+                 std::vector<ReviewRegion>& regions) {
     if (material.regions.empty()) return;
-    const RegionLines left_by =
-        is_only_old ? &report::ReviewRegion::old_lines : &report::ReviewRegion::new_lines;
+    const RegionLines left_by = is_only_old ? &ReviewRegion::old_lines : &ReviewRegion::new_lines;
     const RegionLines removed_by =
-        is_only_old ? &report::ReviewRegion::new_lines : &report::ReviewRegion::old_lines;
+        is_only_old ? &ReviewRegion::new_lines : &ReviewRegion::old_lines;
     DifferenceSurface surface(*part.simulation, part.boundary, common);
     for (std::size_t i = 0; i < material.regions.size() && i < kMostRegions; ++i) {
         const verify::Region& found = material.regions[i];
-        report::ReviewRegion region;
+        ReviewRegion region;
         region.is_only_old = is_only_old;
         region.volume_mm3 = found.volume_mm3;
         region.box = found.box;
@@ -177,12 +176,12 @@ void add_regions(const report::OneSidedMaterial& material, bool is_only_old, con
 
 }  // namespace
 
-report::Review review_of(const SurveyedPlan& a, const SurveyedPlan& b, Comparison comparison) {
-    report::Review review;
+Review review_of(const SurveyedPlan& a, const SurveyedPlan& b, Comparison comparison) {
+    Review review;
     review.difference = std::move(comparison.difference);
     review.old_side = side_of(a);
     review.new_side = side_of(b);
-    const report::Difference& d = review.difference;
+    const Difference& d = review.difference;
     const ShownPart old_part = shown(a, comparison.old_part);
     const ShownPart new_part = shown(b, comparison.new_part);
     SeenAreas seen{};

@@ -4,9 +4,9 @@
 // stage keeps more than a motion.
 #include "ncsim/simulation/simulate.h"
 
+#include "ncsim/base/file_names.h"
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/shape.h"
-#include "ncsim/report/file_names.h"
 #include "ncsim/simulation/models.h"
 #include "ncsim/simulation/play_recorder.h"
 #include "ncsim/simulation/stock_history.h"
@@ -17,18 +17,23 @@
 #include "operation_course.h"
 #include "simulation_messages.h"
 #include "until_line.h"
+#include "upright_runs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace ncsim::simulation {
@@ -114,6 +119,7 @@ public:
           walk_(result.lattice, survey.stock->box,
                 walk_options(plan, survey, verification, result.part->supports_sweeps())),
           verifier_(verification.verifier),
+          decide_(verification.decide),
           most_cuts_(verification.most_cuts),
           only_motion_(verification.only_motion),
           nearest_to_(verification.nearest_to),
@@ -133,12 +139,15 @@ public:
           tool_volumes_(plan.tool_volumes || plan.tile || plan.tiles),
           place_of_tile_(tile_ ? result.part->wanted() : std::nullopt),
           volume_(result.stock_volume),
-          course_(plan.job.operations) {
+          course_(plan.job.operations),
+          runs_([&result](std::size_t cut, const gcode::Linear& line, double moved_mm) {
+              set_path(result.cuts[cut], line).moved_mm = moved_mm;
+          }) {
         for (const auto& [number, used] : survey.tools) {
             const toolpath::Cutter& cutter = walk_.add_tool(number, used.tool);
             result.cutters[number] = {cutter.sides(), cutter.error_mm()};
         }
-        result.provenance.program = report::base_name(plan.job.program.name);
+        result.provenance.program = base_name(plan.job.program.name);
         begin_provenance(verification.history.get());
         if (play_) play_->begin(*result.part);
         if (plan.block_volumes) places_.emplace();
@@ -148,7 +157,73 @@ public:
     /// Ignores all motions after the first `count`.
     void stop_after(std::uint64_t count) { most_motions_ = count; }
 
-    void take(const gcode::Motion& motion) {
+    /// Cuts the next `count` motions of the program, which were joined to `motion`.
+    void take(const gcode::Motion& motion, std::size_t count) {
+        const std::size_t cuts_before = result_.cuts.size();
+        remove(motion, count);
+        numbered_ += count;
+        // On specified machines, any move may rotate the tool.
+        if (!keep_cuts_ || machine_) return;
+        const bool has_cut = result_.cuts.size() > cuts_before;
+        runs_.take(motion, has_cut ? std::optional(cuts_before) : std::nullopt);
+    }
+
+    /// Updates surface and volume of the result.
+    void pause(bool needs_surface) {
+        if (needs_surface) result_.boundary = result_.part->boundary();
+        result_.part_volume = result_.part->volume();
+    }
+
+    /// Completes the result. Requires: the last motion was added.
+    void finish(bool needs_surface) {
+        // Computes the surface first, because this also computes the volume.
+        if (needs_surface) result_.boundary = result_.part->boundary();
+        if (result_.boundary && tiles_) name_motions(*result_.boundary, result_);
+        if (tiles_ && next_contact_ != tiles_->stock_contacts.size()) refuse_tiles();
+        runs_.flush();
+        const auto tool_position = result_.tool_position;
+        change_tool(0);
+        if (tool_volumes_ && !verifier_) result_.removed_by_operation.resize(operation_ + 1);
+        result_.tool_position = tool_position;
+        result_.part_volume = verifier_ || !tool_volumes_ ? result_.part->volume() : volume_;
+        result_.part_volume_error = result_.part->volume_error();
+        if (const auto aliasing = result_.part->aliasing()) {
+            const auto line_of = [&](cda::Origin origin) {
+                return result_.provenance.entries[static_cast<std::size_t>(origin)].nc_line;
+            };
+            result_.aliasing.emplace(AliasingFacts{*aliasing, line_of(aliasing->material.origin),
+                                                   line_of(aliasing->gaps.origin)});
+        }
+        if (!places_) return;
+        for (const auto& [origin, taken] : result_.part->account()) {
+            const auto place = places_->find(origin);
+            if (place != places_->end() && taken.volume > 0.0)
+                result_.removed_by_block[place->second] += taken.volume;
+        }
+    }
+
+private:
+    static CutPath& set_path(CutRecord& cut, const gcode::Linear& line) {
+        const auto place = [](const gcode::Position& p) {
+            return Vec3{p.x.mm(), p.y.mm(), p.z.mm()};
+        };
+        if (!cut.path) cut.path = std::make_unique<CutPath>();
+        cut.path->from = place(line.from);
+        cut.path->to = place(line.to);
+        return *cut.path;
+    }
+
+    void record_cut(const gcode::Motion& motion, std::size_t count) {
+        CutRecord& cut = result_.cuts.emplace_back();
+        cut.place = result_.last_cut;
+        cut.motion = numbered_ + 1;
+        cut.tool = motion.tool;
+        const std::optional<Vec3> line_start = walk_.line_start();
+        if (count == 1 && !line_start) return;
+        set_path(cut, std::get<gcode::Linear>(motion.action)).line_start = line_start;
+    }
+
+    void remove(const gcode::Motion& motion, std::size_t count) {
         line_ = motion.span.line;
         if (motions_ == most_motions_) return;
         ++motions_;
@@ -181,7 +256,7 @@ public:
             walk_.at_end_position(motion, origin, [&](const toolpath::Step& step) {
                 verifier->at_end_position(step, *result_.part);
             });
-            verifier->end(result_.part.get());
+            end_motion(*verifier);
         } else if (!verifier_ && bounds.missed_mm > 1.001 * tolerance_mm_) {
             add_missed(motion, bounds.missed_mm);
         }
@@ -192,46 +267,12 @@ public:
         result_.last_motion = motions_;
         result_.provenance.entries.push_back(
             {motion.span.line, static_cast<std::uint32_t>(std::max(0, motion.tool))});
-        if (keep_cuts_) result_.cuts.push_back({result_.last_cut, motions_, motion.tool});
+        if (keep_cuts_) record_cut(motion, count);
         if (places_) (*places_)[origin] = {motion.file, motion.span.line};
         result_.bounds.missed_mm = std::max(result_.bounds.missed_mm, bounds.missed_mm);
         result_.bounds.gained_mm = std::max(result_.bounds.gained_mm, bounds.gained_mm);
     }
 
-    /// Updates surface and volume of the result.
-    void pause(bool needs_surface) {
-        if (needs_surface) result_.boundary = result_.part->boundary();
-        result_.part_volume = result_.part->volume();
-    }
-
-    /// Completes the result. Requires: the last motion was added.
-    void finish(bool needs_surface) {
-        // Computes the surface first, because this also computes the volume.
-        if (needs_surface) result_.boundary = result_.part->boundary();
-        if (result_.boundary && tiles_) name_motions(*result_.boundary, result_);
-        if (tiles_ && next_contact_ != tiles_->stock_contacts.size()) refuse_tiles();
-        const auto tool_position = result_.tool_position;
-        change_tool(0);
-        if (tool_volumes_ && !verifier_) result_.removed_by_operation.resize(operation_ + 1);
-        result_.tool_position = tool_position;
-        result_.part_volume = verifier_ || !tool_volumes_ ? result_.part->volume() : volume_;
-        result_.part_volume_error = result_.part->volume_error();
-        if (const auto aliasing = result_.part->aliasing()) {
-            const auto line_of = [&](cda::Origin origin) {
-                return result_.provenance.entries[static_cast<std::size_t>(origin)].nc_line;
-            };
-            result_.aliasing.emplace(report::AliasingFacts{
-                *aliasing, line_of(aliasing->material.origin), line_of(aliasing->gaps.origin)});
-        }
-        if (!places_) return;
-        for (const auto& [origin, taken] : result_.part->account()) {
-            const auto place = places_->find(origin);
-            if (place != places_->end() && taken.volume > 0.0)
-                result_.removed_by_block[place->second] += taken.volume;
-        }
-    }
-
-private:
     // Adds the stock and the motions of earlier runs.
     void begin_provenance(const StockHistory* history) {
         mesh::Provenance& provenance = result_.provenance;
@@ -241,6 +282,14 @@ private:
             provenance.earlier_programs = history->programs;
         }
         if (keep_cuts_) result_.cuts.resize(provenance.entries.size());
+    }
+
+    void end_motion(verify::Verifier& verifier) {
+        const auto contacts = verifier.end_steps(result_.part.get());
+        std::vector<verify::ContactDecision> decisions;
+        if (!contacts.empty() && decide_)
+            std::ranges::transform(contacts, std::back_inserter(decisions), decide_);
+        verifier.judge(decisions);
     }
 
     // Sets the position of the tool to the pose of the step that is nearest to the point.
@@ -387,6 +436,7 @@ private:
     Simulation& result_;
     toolpath::Walk walk_;
     verify::Verifier* verifier_;
+    std::function<verify::ContactDecision(const verify::OpenContact&)> decide_;
     std::optional<std::uint32_t> most_cuts_;
     std::optional<std::uint64_t> only_motion_;
     std::optional<Vec3> nearest_to_;
@@ -399,7 +449,7 @@ private:
     bool shows_path_;
     bool measured_;  // cell by cell
     // By origin, if volumes of blocks are requested.
-    std::optional<std::map<cda::Origin, report::BlockPlace>> places_;
+    std::optional<std::map<cda::Origin, BlockPlace>> places_;
     bool keep_cuts_;
     PlayRecorder* play_;
     bool keeps_cells_;
@@ -415,6 +465,8 @@ private:
     double volume_;               // at the last tool change
     bool is_near_stock_ = false;  // whether the tool was near the stock since its change
     OperationCourse course_;
+    UprightRuns runs_;            // of recorded cuts
+    std::uint64_t numbered_ = 0;  // motions of the program so far, without joining
     std::size_t operation_ = 0;
     bool has_covered_ = false;               // whether combined cells belong to the current motion
     std::vector<cda::Cell> combined_cells_;  // combined cells of steps that are not near
@@ -480,7 +532,8 @@ Simulation simulate(const Plan& plan, const Survey& survey, const Verification& 
     std::uint64_t moves = 0;
     MoveJoiner joiner(
         verification.verifier ? 0.0 : plan.join_tolerance,
-        [&](const gcode::Motion& motion) { mill.take(motion); }, plan.job.operations);
+        [&](const gcode::Motion& motion, std::size_t count) { mill.take(motion, count); },
+        plan.job.operations);
     for_each_motion(plan, [&](const gcode::Motion& motion) {
         joiner.take(motion);
         ++motions;

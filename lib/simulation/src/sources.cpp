@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sources of the faces of a part, by a second pass over its motions.
+// Sources of the faces of a part, from the records of its cuts.
 #include "sources.h"
 
 #include "ncsim/simulation/stock_history.h"
 #include "ncsim/toolpath/kinematics.h"
-#include "ncsim/toolpath/walk.h"
 
-#include "join_moves.h"
 #include "motions.h"
-#include "upright_runs.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
-#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -23,41 +19,28 @@ namespace ncsim::simulation {
 
 namespace {
 
-// Successive straight feed moves of an upright tool along one line. The moves remove one hull,
-// which has the origin of the last move (toolpath::Walk). So the surfaces at the start of the row
-// have that origin, too.
-class Row {
-public:
-    // Returns the start of the row of `motion`; empty if the motion starts a row or is in none.
-    std::optional<gcode::Position> start_of(const gcode::Motion& motion) {
-        if (!gcode::start_of(motion)) return std::nullopt;
-        const gcode::Linear* line = toolpath::straight_upright(motion);
-        if (!line || motion.kind != gcode::MoveKind::Feed) {
-            start_.reset();
-            return std::nullopt;
-        }
-        const bool goes_on =
-            start_ && motion.tool == tool_ && end_ == line->from && is_ahead(*line);
-        if (!goes_on) start_ = line->from;
-        end_ = line->to;
-        tool_ = motion.tool;
-        return goes_on ? start_ : std::nullopt;
-    }
+void move_to(gcode::Position& position, const Vec3& to) {
+    position.x = gcode::Length::from_mm(to.x);
+    position.y = gcode::Length::from_mm(to.y);
+    position.z = gcode::Length::from_mm(to.z);
+}
 
-private:
-    // True if the line continues the row, to the accuracy of the lattice.
-    bool is_ahead(const gcode::Linear& line) const {
-        constexpr double kLattice = 2e-5;  // mm
-        const Vec3 from = toolpath::linear_axes(line.from);
-        const Vec3 way = from - toolpath::linear_axes(*start_);
-        const Vec3 on = toolpath::linear_axes(line.to) - from;
-        return dot(way, on) > 0.0 && norm(cross(way, on)) <= kLattice * (norm(way) + norm(on));
-    }
-
-    std::optional<gcode::Position> start_;  // start of the row
-    gcode::Position end_;
-    int tool_ = 0;
-};
+// Returns the surfaces that the tool can have left in the recorded cut of `motion`.
+brep::SweptSurfaces surfaces_of(const CutRecord& cut, gcode::Motion motion,
+                                const toolpath::Tool& tool, const toolpath::Kinematics* specified) {
+    if (!cut.path) return brep::surfaces_of(motion, tool, specified);
+    auto& line = std::get<gcode::Linear>(motion.action);
+    move_to(line.from, cut.path->from);
+    move_to(line.to, cut.path->to);
+    brep::SweptSurfaces surfaces = brep::surfaces_of(motion, tool, specified);
+    surfaces.deviation_mm += cut.path->moved_mm;
+    if (!cut.path->line_start) return surfaces;
+    move_to(line.from, *cut.path->line_start);
+    line.from.u = line.from.v = line.from.w = gcode::Length();
+    brep::SweptSurfaces of_line = brep::surfaces_of(motion, tool, specified);
+    std::ranges::move(of_line.candidates, std::back_inserter(surfaces.candidates));
+    return surfaces;
+}
 
 }  // namespace
 
@@ -82,13 +65,12 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
         sink(cda::kStockOrigin,
              {brep::surfaces_of(*survey.stock), plan.tool_tolerance + rounding, false});
     }
-    std::uint64_t motions = 0;
+    const auto& cuts = simulation.cuts;
     std::size_t next = 1 + std::size_t{earlier_origins(simulation.history.get())};
-    Row row;
-    UprightRuns runs([&](const gcode::Motion& motion, double moved_mm) {
+    std::uint64_t motions = 0;
+    for_each_motion(plan, [&](const gcode::Motion& motion) {
         ++motions;
-        const auto start_of_row = row.start_of(motion);
-        if (next >= simulation.cuts.size() || simulation.cuts[next].motion != motions) return;
+        if (next >= cuts.size() || cuts[next].motion != motions) return;
         const std::size_t origin = next++;
         const auto tool = survey.tools.find(motion.tool);
         if (!is_there[origin] || tool == survey.tools.end()) return;
@@ -96,29 +78,10 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
         const double polygon =
             cutter == simulation.cutters.end() ? plan.tool_tolerance : cutter->second.error_mm;
         brep::SweptSurfaces source =
-            brep::surfaces_of(motion, tool->second.tool, plan.placed.get());
-        // On specified machines no moves are combined.
-        if (start_of_row && !plan.placed) {
-            gcode::Motion together = motion;
-            std::get<gcode::Linear>(together.action).from = *start_of_row;
-            brep::SweptSurfaces of_row = brep::surfaces_of(together, tool->second.tool, nullptr);
-            std::ranges::move(of_row.candidates, std::back_inserter(source.candidates));
-        }
-        source.error_mm =
-            polygon + source.chords * plan.tolerance + source.deviation_mm + moved_mm + rounding;
+            surfaces_of(cuts[origin], motion, tool->second.tool, plan.placed.get());
+        source.error_mm = polygon + source.chords * plan.tolerance + source.deviation_mm + rounding;
         sink(cda::Origin{static_cast<std::uint32_t>(origin)}, std::move(source));
     });
-    // On specified machines, any move may rotate the tool.
-    MoveJoiner joiner(
-        plan.join_tolerance,
-        [&](const gcode::Motion& motion) {
-            if (plan.placed) runs.flush();
-            runs.take(motion);
-        },
-        plan.job.operations);
-    for_each_motion(plan, [&](const gcode::Motion& motion) { joiner.take(motion); });
-    joiner.flush();
-    runs.flush();
 }
 
 }  // namespace ncsim::simulation

@@ -5,11 +5,11 @@
 // on surfaces that are not listed.
 #include "ncsim/simulation/stock_history.h"
 
+#include "ncsim/base/plain_text.h"
 #include "ncsim/brep/candidate_filter.h"
 #include "ncsim/brep/surface_text.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/cda/workpiece.h"
-#include "ncsim/report/plain_text.h"
 
 #include <fmt/format.h>
 
@@ -139,11 +139,11 @@ cda::ShapeSource record_of(const mesh::Provenance& provenance, const mesh::Prove
                            const brep::SweptSurfaces& source) {
     const bool is_earlier = entry.earlier_program != 0;
     cda::ShapeSource record;
-    record.text = fmt::format(
-        "{} {} {} {} {}", is_earlier ? entry.earlier_line : entry.nc_line, entry.tool,
-        source.error_mm, source.may_leave_other_surfaces ? kOpen : kClosed,
-        report::one_line(is_earlier ? provenance.earlier_programs[entry.earlier_program - 1]
-                                    : provenance.program));
+    record.text =
+        fmt::format("{} {} {} {} {}", is_earlier ? entry.earlier_line : entry.nc_line, entry.tool,
+                    source.error_mm, source.may_leave_other_surfaces ? kOpen : kClosed,
+                    one_line(is_earlier ? provenance.earlier_programs[entry.earlier_program - 1]
+                                        : provenance.program));
     for (const brep::CandidateSurface& candidate : source.candidates)
         record.surfaces.push_back(brep::text_of(candidate));
     return record;

@@ -289,7 +289,7 @@ bool touches_only(const Plan& plan, const Survey& result) {
 void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result) {
     const double length = assumed_length(result, motions, plan.job.stock);
     for (const auto& [number, track] : motions.tracks()) {
-        report::UsedTool used;
+        UsedTool used;
         used.first = track.first;
         toolpath::ToolSpec spec;
         if (const auto* entry =

@@ -127,11 +127,11 @@ bool is_about(Vec3 on_axis, Vec3 axis, Vec3 at) {
     return axis.z > 1.0 - kUpright && is_same(on_axis.x, at.x) && is_same(on_axis.y, at.y);
 }
 
-report::MeasuredThread thread_of(const Course& course, const report::MeasureSheet& sheet) {
-    report::MeasuredThread thread;
+MeasuredThread thread_of(const Course& course, const MeasureSheet& sheet) {
+    MeasuredThread thread;
     std::optional<double> top;
     const auto reach = [&](double z) { top = std::max(top.value_or(z), z); };
-    for (const report::MeasuredBoss& boss : sheet.bosses) {
+    for (const MeasuredBoss& boss : sheet.bosses) {
         const bool is_stud = is_about(boss.foot, boss.axis, course.at) &&
                              0.5 * boss.diameter < course.path_radius + kSame;
         if (!is_stud) continue;
@@ -139,10 +139,10 @@ report::MeasuredThread thread_of(const Course& course, const report::MeasureShee
         reach(boss.foot.z + boss.height);
     }
     if (thread.is_inside) {
-        for (const report::MeasuredBore& bore : sheet.bores) {
+        for (const MeasuredBore& bore : sheet.bores) {
             if (is_about(bore.mouth, bore.axis, course.at)) reach(bore.mouth.z);
         }
-        for (const report::MeasuredCountersink& sink : sheet.countersinks) {
+        for (const MeasuredCountersink& sink : sheet.countersinks) {
             if (is_about(sink.mouth, sink.axis, course.at)) reach(sink.mouth.z);
         }
     }
@@ -159,16 +159,16 @@ report::MeasuredThread thread_of(const Course& course, const report::MeasureShee
 
 }  // namespace
 
-std::vector<report::MeasuredThread> threads_of(const Plan& plan, const Survey& survey,
-                                               const report::MeasureSheet& sheet) {
+std::vector<MeasuredThread> threads_of(const Plan& plan, const Survey& survey,
+                                       const MeasureSheet& sheet) {
     ThreadFinder finder(survey);
     for_each_motion(plan, [&](const gcode::Motion& motion) { finder.take(motion); });
     // Three decimals of a centre are less than a turn by this much.
     constexpr double kFullTurn = 0.999;
-    std::vector<report::MeasuredThread> threads;
+    std::vector<MeasuredThread> threads;
     for (const Course& course : finder.courses()) {
         if (course.turns < kFullTurn || sheet.extents.is_empty()) continue;
-        report::MeasuredThread thread = thread_of(course, sheet);
+        MeasuredThread thread = thread_of(course, sheet);
         if (thread.depth > 0.0 && thread.diameter > 0.0) threads.push_back(std::move(thread));
     }
     return threads;

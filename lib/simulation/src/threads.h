@@ -3,7 +3,7 @@
 // Threads of a program: strokes of taps and helices of thread mills.
 #pragma once
 
-#include "ncsim/report/measure_sheet.h"
+#include "ncsim/simulation/measures.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/survey.h"
 
@@ -18,7 +18,7 @@ namespace ncsim::simulation {
 /// The bores, countersinks and bosses of `sheet` determine the mouth, and whether a thread is
 /// inside. Tools at an angle and arcs in inclined planes are not considered.
 /// Cost: one interpretation of the program.
-std::vector<report::MeasuredThread> threads_of(const Plan& plan, const Survey& survey,
-                                               const report::MeasureSheet& sheet);
+std::vector<MeasuredThread> threads_of(const Plan& plan, const Survey& survey,
+                                       const MeasureSheet& sheet);
 
 }  // namespace ncsim::simulation

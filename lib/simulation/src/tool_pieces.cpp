@@ -12,16 +12,16 @@
 
 namespace ncsim::simulation {
 
-std::vector<report::ColouredMesh> tool_pieces(const toolpath::Tool& tool) {
+std::vector<ColouredMesh> tool_pieces(const toolpath::Tool& tool) {
     // Coarse enough for the longest tool.
     constexpr cda::Lattice kLattice{1e-4};
     constexpr toolpath::ToolAccuracy kAccuracy{0.1, toolpath::Side::Circumscribed};
-    std::vector<report::ColouredMesh> pieces;
+    std::vector<ColouredMesh> pieces;
     for (const toolpath::ToolPiece& piece : tool.pieces) {
         const auto polytope = toolpath::approximate(piece, kLattice, kAccuracy);
         const auto cell = cda::convex_hull(polytope.points_T, kLattice, cda::kStockOrigin);
         if (!cell) continue;
-        report::ColouredMesh body;
+        ColouredMesh body;
         body.colour = {118, 124, 134};
         if (piece.cutting) body.colour = {226, 186, 92};
         body.mesh = cda::triangulate(cda::FlatCda().create(*cell, kLattice)->boundary());

@@ -3,7 +3,7 @@
 // Bodies of a tool for pages.
 #pragma once
 
-#include "ncsim/report/play_data.h"
+#include "ncsim/simulation/play_data.h"
 #include "ncsim/toolpath/tool.h"
 
 #include <vector>
@@ -12,6 +12,6 @@ namespace ncsim::simulation {
 
 /// Returns a body for each piece of `tool`, tip in the origin: cutting pieces in gold, shank and
 /// holder in grey. Round shapes are within 0.1 mm.
-std::vector<report::ColouredMesh> tool_pieces(const toolpath::Tool& tool);
+std::vector<ColouredMesh> tool_pieces(const toolpath::Tool& tool);
 
 }  // namespace ncsim::simulation

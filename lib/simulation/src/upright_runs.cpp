@@ -34,10 +34,6 @@ const Linear* sloped(const Motion& motion) {
     return norm(place(line->to) - place(line->from)) > 0.0 ? line : nullptr;
 }
 
-const Linear& line_of(const Motion& motion) {
-    return std::get<Linear>(motion.action);
-}
-
 // The vertical plane through two positions.
 struct Plane {
     Plane(Vec3 start, Vec3 end)
@@ -52,17 +48,14 @@ struct Plane {
 
 }  // namespace
 
-UprightRuns::UprightRuns(Sink sink) : sink_(std::move(sink)) {}
-
-bool UprightRuns::goes_on(const Motion& next) const {
-    const Linear* line = sloped(next);
-    if (run_.empty() || run_.size() >= kMostMoves || !line) return false;
-    if (next.tool != run_.back().tool || !(line_of(run_.back()).to == line->from)) return false;
-    const Plane plane(place(line_of(run_.front()).from), place(line->to));
+bool UprightRuns::goes_on(const Linear& next, int tool) const {
+    if (run_.empty() || run_.size() >= kMostMoves || tool != tool_) return false;
+    if (!(run_.back().line.to == next.from)) return false;
+    const Plane plane(place(run_.front().line.from), place(next.to));
     if (!(plane.length > 0.0)) return false;
     double before = 0.0;
-    return std::ranges::all_of(run_, [&](const Motion& motion) {
-        const Vec3 p = place(line_of(motion).to);
+    return std::ranges::all_of(run_, [&](const Move& move) {
+        const Vec3 p = place(move.line.to);
         const double ahead = plane.distance_along(p);
         const bool is_next = ahead > before && ahead < plane.length;
         before = ahead;
@@ -70,27 +63,30 @@ bool UprightRuns::goes_on(const Motion& next) const {
     });
 }
 
-void UprightRuns::take(const Motion& motion) {
-    if (!goes_on(motion)) flush();
-    if (!sloped(motion)) return sink_(motion, 0.0);
-    run_.push_back(motion);
+void UprightRuns::take(const Motion& motion, std::optional<std::size_t> cut) {
+    const Linear* line = sloped(motion);
+    if (!line || !goes_on(*line, motion.tool)) flush();
+    if (!line) return;
+    run_.push_back({*line, cut});
+    tool_ = motion.tool;
 }
 
 void UprightRuns::flush() {
-    if (run_.empty()) return;
-    const Plane plane(place(line_of(run_.front()).from), place(line_of(run_.back()).to));
+    std::vector<Move> run = std::exchange(run_, {});
+    if (run.size() < 2) return;
+    const Plane plane(place(run.front().line.from), place(run.back().line.to));
     double moved_mm = 0.0;
-    for (std::size_t i = 0; i + 1 < run_.size(); ++i) {
-        gcode::Position& end = std::get<Linear>(run_[i].action).to;
+    for (std::size_t i = 0; i + 1 < run.size(); ++i) {
+        gcode::Position& end = run[i].line.to;
         const Vec3 off = plane.offset_from_line(place(end));
         moved_mm = std::max(moved_mm, norm(off));
         end.x = gcode::Length::from_mm(end.x.mm() - off.x);
         end.y = gcode::Length::from_mm(end.y.mm() - off.y);
-        std::get<Linear>(run_[i + 1].action).from = end;
+        run[i + 1].line.from = end;
     }
-    for (const Motion& motion : run_)
-        sink_(motion, moved_mm);
-    run_.clear();
+    for (const Move& move : run) {
+        if (move.cut) sink_(*move.cut, move.line, moved_mm);
+    }
 }
 
 }  // namespace ncsim::simulation

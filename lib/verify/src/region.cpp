@@ -3,6 +3,8 @@
 // Gathers rows of the ledger into regions.
 #include "ncsim/verify/region.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace ncsim::verify {
@@ -56,6 +58,17 @@ std::vector<Region> regions_of(const Ledger& ledger) {
         region.lines = merged(std::move(region.lines));
     std::ranges::stable_sort(regions, std::ranges::greater{}, &Region::volume_mm3);
     return regions;
+}
+
+std::string lines_text(const std::vector<LineRange>& lines) {
+    constexpr std::size_t kShown = 6;
+    std::string text;
+    for (std::size_t i = 0; i < lines.size() && i < kShown; ++i) {
+        text += fmt::format("{}{}", i == 0 ? "" : ", ", lines[i].first);
+        if (lines[i].last != lines[i].first) text += fmt::format("-{}", lines[i].last);
+    }
+    if (lines.size() > kShown) text += fmt::format(" and {} more", lines.size() - kShown);
+    return text;
 }
 
 }  // namespace ncsim::verify

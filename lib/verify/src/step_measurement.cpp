@@ -277,36 +277,48 @@ std::optional<Vec3> Measuring::find_material(const Step& step, const cda::Workpi
     return std::nullopt;
 }
 
-void Measuring::refine_contacts() {
-    if (move_.meets_material && move_.motion->kind == MoveKind::Rapid &&
-        move_.certainty == Certainty::Within) {
-        const auto decided = refine_contact("rapid-in-material", std::nullopt);
-        if (decided) {
-            move_.certainty = *decided;
-        } else {
-            move_.meets_material = false;
-        }
-    }
-    std::erase_if(move_.bodies, [this](BodyContact& contact) {
-        if (contact.certainty == Certainty::Certain) return false;
-        const auto decided = refine_contact("non-cutting-contact", contact.piece);
-        contact.certainty = decided.value_or(Certainty::Within);
-        return !decided;
-    });
+bool Measuring::is_rapid_open() const {
+    return move_.meets_material && move_.motion->kind == MoveKind::Rapid &&
+           move_.certainty == Certainty::Within;
 }
 
-std::optional<Certainty> Measuring::refine_contact(std::string_view rule,
-                                                   std::optional<std::size_t> piece) {
-    const auto places = open_.find(piece);
-    if (places == open_.end()) return Certainty::Within;
-    // The order must not depend on the tile that found the boxes.
-    std::vector<Box>& boxes = places->second;
-    const auto corners = [](const Box& b) {
-        return std::array{b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z};
+std::vector<OpenContact> Measuring::open_contacts() {
+    std::vector<OpenContact> contacts;
+    const auto add = [&](std::string_view rule, std::optional<std::size_t> piece) {
+        const auto places = open_.find(piece);
+        if (places == open_.end()) return;
+        // The order must not depend on the tile that found the boxes.
+        std::vector<Box>& boxes = places->second;
+        const auto corners = [](const Box& b) {
+            return std::array{b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z};
+        };
+        std::ranges::sort(boxes, {}, corners);
+        boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
+        contacts.push_back({move_.number, rule, move_.motion->tool, piece, boxes});
     };
-    std::ranges::sort(boxes, {}, corners);
-    boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
-    return setup_.refine_contact({move_.number, rule, move_.motion->tool, piece, std::move(boxes)});
+    if (is_rapid_open()) add("rapid-in-material", std::nullopt);
+    for (const BodyContact& contact : move_.bodies) {
+        if (contact.certainty != Certainty::Certain) add("non-cutting-contact", contact.piece);
+    }
+    return contacts;
+}
+
+void Measuring::decide(std::span<const ContactDecision> decisions) {
+    auto next = decisions.begin();
+    const auto decided = [&](std::optional<std::size_t> piece) {
+        return open_.contains(piece) ? *next++ : Certainty::Within;
+    };
+    if (is_rapid_open()) {
+        const ContactDecision decision = decided(std::nullopt);
+        move_.meets_material = decision.has_value();
+        move_.certainty = decision.value_or(Certainty::Within);
+    }
+    std::erase_if(move_.bodies, [&](BodyContact& contact) {
+        if (contact.certainty == Certainty::Certain) return false;
+        const ContactDecision decision = decided(contact.piece);
+        contact.certainty = decision.value_or(Certainty::Within);
+        return !decision;
+    });
 }
 
 // Returns a common point of the material and the inscribed tool, if one exists.

@@ -20,7 +20,7 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <string_view>
+#include <span>
 #include <vector>
 
 namespace ncsim::verify {
@@ -81,8 +81,10 @@ public:
     /// Notes an observation of the part, except of the core.
     /// Throws: std::runtime_error if the observation is impossible in this motion.
     void note(const Observation& seen);
-    /// Decides open contacts with finer tools.
-    void refine_contacts();
+    /// Returns the contacts of the motion that the accuracy of the tools leaves open.
+    std::vector<OpenContact> open_contacts();
+    /// Applies a decision to each contact of open_contacts(), in order.
+    void decide(std::span<const ContactDecision> decisions);
 
 private:
     using Step = toolpath::Step;
@@ -98,10 +100,9 @@ private:
     static double common_volume(const Step& step, const cda::WorkpieceModel& part);
     std::optional<Vec3> find_material(const Step& step, const cda::WorkpieceModel& part,
                                       std::uint32_t& rank);
-    std::optional<Certainty> refine_contact(std::string_view rule,
-                                            std::optional<std::size_t> piece);
+    bool is_rapid_open() const;
     std::optional<Vec3> certain_point(const Step& step, const cda::WorkpieceModel& part);
-    bool keeps_places() const { return kept_ || setup_.refine_contact; }
+    bool keeps_places() const { return kept_ || setup_.decides_contacts; }
     double drop_to_material(const Step& step, const cda::WorkpieceModel& part, double fall,
                             double allowed);
     void follow_core(const Step& step,

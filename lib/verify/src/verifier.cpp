@@ -27,8 +27,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace ncsim::verify {
 
@@ -242,19 +244,21 @@ public:
         measure_fixtures(step);
     }
 
-    void end(const cda::WorkpieceModel* part) {
+    std::vector<OpenContact> end_steps(const cda::WorkpieceModel* part) {
         if (!machine_.is_empty() && move_.is_move && !share_.evidence) {
             const std::size_t before = machine_.seen().size();
             machine_.end(part, move_.machine);
             keep_links(Observation::kAtEnd, before);
         }
         if (share_.evidence) note_end();
-        if (share_.tile) {
-            record_fixtures();
-            count_idle_cuts();
-            return;
-        }
-        if (setup_.refine_contact) measuring_.refine_contacts();
+        if (share_.tile) record_fixtures();
+        if (share_.tile || !setup_.decides_contacts) return {};
+        return measuring_.open_contacts();
+    }
+
+    void judge(std::span<const ContactDecision> decisions) {
+        if (share_.tile) return count_idle_cuts();
+        if (!decisions.empty()) measuring_.decide(decisions);
         hole_.take(move_);
         for (const auto judge : judges_)
             judge(setup_, move_, log_);
@@ -621,7 +625,16 @@ void Verifier::at_end_position(const Step& step, const cda::WorkpieceModel& part
 }
 
 void Verifier::end(const cda::WorkpieceModel* part) {
-    impl_->end(part);
+    (void)impl_->end_steps(part);
+    impl_->judge({});
+}
+
+std::vector<OpenContact> Verifier::end_steps(const cda::WorkpieceModel* part) {
+    return impl_->end_steps(part);
+}
+
+void Verifier::judge(std::span<const ContactDecision> decisions) {
+    impl_->judge(decisions);
 }
 
 bool Verifier::measures_all() const {

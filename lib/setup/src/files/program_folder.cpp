@@ -162,7 +162,7 @@ ProgramFolder programs_in_folder(const std::string& folder) {
             fmt::format("cannot read the folder '{}': {}", folder, error.message()));
     }
     std::ranges::sort(found.programs);
-    std::ranges::sort(found.excluded, {}, &report::ExcludedEntry::path);
+    std::ranges::sort(found.excluded, {}, &ExcludedEntry::path);
     return found;
 }
 

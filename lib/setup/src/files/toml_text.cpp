@@ -3,18 +3,24 @@
 // Quoted texts of TOML.
 #include "files/toml_text.h"
 
+#include "ncsim/base/plain_text.h"
 #include "ncsim/base/utf8.h"
-#include "ncsim/report/json_string.h"
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 namespace ncsim::setup {
 
+std::string json_string(std::string_view text) {
+    using Json = nlohmann::json;
+    return printable_json(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
 // An editor obeys control characters beyond ASCII instead of showing them; JSON escapes the others.
 std::string quoted(const std::string& text) {
-    const std::string json = report::json_string(text);
+    const std::string json = json_string(text);
     std::string result;
     for (std::string_view rest = json; !rest.empty();) {
         const Character c = first_character(rest);

@@ -3,9 +3,9 @@
 // Makes jobs of programs, options, job files, tool tables and comments.
 #include "ncsim/setup/job.h"
 
+#include "ncsim/base/file_names.h"
 #include "ncsim/gcode/file_programs.h"
 #include "ncsim/gcode/subprogram_file.h"
-#include "ncsim/report/file_names.h"
 #include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/setup/job_file.h"
 #include "ncsim/setup/stock_file.h"
@@ -303,7 +303,7 @@ std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, cons
     if (options.left_stock) {
         toolpath::StockEntry entry{
             *options.left_stock, toolpath::ValueSource::Table, {}, "the part of the last set-up"};
-        entry.file = report::base_name(name_of_input(options.job));
+        entry.file = base_name(name_of_input(options.job));
         return entry;
     }
     const bool is_placed = options.stock_turn || options.stock_move;
@@ -321,7 +321,7 @@ std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, cons
     }
     if (file.stock && options.job_step.value_or(0) == 0) {
         toolpath::StockEntry entry{*file.stock, toolpath::ValueSource::Table, {}, "the stock"};
-        entry.file = report::base_name(name_of_input(options.job));
+        entry.file = base_name(name_of_input(options.job));
         entry.place_assumed = file.stock_place_assumed;
         if (file.stock_assumed) {
             entry.specified_by = toolpath::ValueSource::Assumption;

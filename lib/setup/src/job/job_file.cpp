@@ -4,9 +4,9 @@
 #include "ncsim/setup/job_file.h"
 
 #include "ncsim/base/ascii.h"
+#include "ncsim/base/file_names.h"
 #include "ncsim/base/number_text.h"
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/verify/doubt.h"
 
@@ -458,7 +458,7 @@ private:
         entry.specified_by = toolpath::ValueSource::Table;
         entry.span = {static_cast<std::uint32_t>(t.source().begin.line), 1, 0};
         entry.text = spec.description;
-        entry.file = report::base_name(r_.name());
+        entry.file = base_name(r_.name());
         return entry;
     }
 
@@ -535,7 +535,7 @@ std::vector<JobStep> steps_of(const JobFile& file, const std::string& folder) {
         for (std::size_t k = 0; k < set_up.programs.size(); ++k) {
             JobStep step{i + 1, set_up.name, seen_in(folder, set_up.programs[k]), k == 0, {}};
             step.label = fmt::format("set-up {}", i + 1);
-            if (!set_up.name.empty()) step.label += ", " + report::one_line(set_up.name);
+            if (!set_up.name.empty()) step.label += ", " + one_line(set_up.name);
             if (set_up.programs.size() > 1)
                 step.label += fmt::format(", program {} of {}", k + 1, set_up.programs.size());
             steps.push_back(std::move(step));

@@ -3,9 +3,8 @@
 // Writes job files.
 #include "ncsim/setup/job_writer.h"
 
-#include "ncsim/report/json_string.h"
-#include "ncsim/report/plain_text.h"
-#include "ncsim/report/version.h"
+#include "ncsim/base/plain_text.h"
+#include "ncsim/base/version.h"
 #include "ncsim/setup/coordinate_systems.h"
 
 #include "files/toml_text.h"
@@ -41,9 +40,9 @@ std::string triple(Vec3 v) {
 
 // Returns a comment line.
 std::string remark(const std::string& text) {
-    std::string line = report::one_line(text);
+    std::string line = one_line(text);
     // Comments must be UTF-8, too.
-    line = report::json_string(line);
+    line = json_string(line);
     return fmt::format("# {}\n", line.substr(1, line.size() - 2));
 }
 
@@ -147,7 +146,7 @@ void write_stock_and_tools(std::ostream& out, const JobFile& file, const JobRema
 }  // namespace
 
 void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks) {
-    out << "# Written by ncsim " << report::kVersion
+    out << "# Written by ncsim " << kVersion
         << ": what a program stood on. Lengths in mm, angles in degrees.\n"
         << "# Values that are named in a list \"assumed\" were not specified: correct them and "
            "remove the name.\n"
@@ -206,7 +205,7 @@ void write_tool_table(std::ostream& out, const std::vector<toolpath::ToolEntry>&
         if (spec.angle) remark += fmt::format(" {:.6g} deg", *spec.angle);
         if (spec.tip_diameter) remark += fmt::format(" tip {:.6g}mm", *spec.tip_diameter);
         if (spec.pitch) remark += fmt::format(" pitch {:.6g}mm", *spec.pitch);
-        if (!spec.description.empty()) remark += ", " + report::one_line(spec.description);
+        if (!spec.description.empty()) remark += ", " + one_line(spec.description);
         out << fmt::format("T{0} P{0} Z{1:.9g} D{2:.9g} ;{3}\n", spec.number, entry.offset.z / unit,
                            diameter / unit, remark);
     }

@@ -5,8 +5,8 @@
 #include "ncsim/setup/tool_library.h"
 
 #include "ncsim/base/ascii.h"
-#include "ncsim/report/file_names.h"
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/file_names.h"
+#include "ncsim/base/plain_text.h"
 
 #include "job/setup_messages.h"
 #include "machines/xml_root.h"
@@ -161,8 +161,8 @@ Json tools_of_freecad(const Json& library, const std::string& path, InputSet& in
         if (tools.size() == kMostTools) break;
         const auto warn = [&](const gcode::MessageText& message, const std::string& what) {
             gcode::Diagnostic d =
-                gcode::diagnostic_of(message, {}, {number->dump(), report::one_line(what)});
-            d.file = report::base_name(path);
+                gcode::diagnostic_of(message, {}, {number->dump(), one_line(what)});
+            d.file = base_name(path);
             diagnostics.push_back(std::move(d));
         };
         const std::string name = text_of(entry, "path");
@@ -308,7 +308,7 @@ toolpath::ToolFile read_as_fusion(const std::string& path, const Json& tools, co
     toolpath::ToolFile file;
     if (!tools.empty())
         file = toolpath::read_tool_file(
-            {report::base_name(name_of_input(path)),
+            {base_name(name_of_input(path)),
              tools.dump(-1, ' ', false, Json::error_handler_t::replace)});  // broken UTF-8
     file.format = format;
     return file;
@@ -344,14 +344,13 @@ toolpath::ToolFile read_tool_library(const std::string& path, InputSet& inputs,
         return file;
     }
     if (bytes.starts_with("PK\x03\x04")) {
-        return toolpath::read_tool_file(
-            {report::base_name(name_of_input(path)), unpacked(path, bytes)});
+        return toolpath::read_tool_file({base_name(name_of_input(path)), unpacked(path, bytes)});
     }
     const std::string text = as_utf8(path, std::move(bytes));
     const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
     if (first != std::string::npos && text[first] == '<')
         return read_as_fusion(path, tools_of_hsm(path, text), "HSMWorks tool library");
-    return toolpath::read_tool_file({report::base_name(name_of_input(path)), text}, machine_inches);
+    return toolpath::read_tool_file({base_name(name_of_input(path)), text}, machine_inches);
 }
 
 }  // namespace ncsim::setup

@@ -257,7 +257,7 @@ void Walk::extend_line_run(ToolData& tool, const gcode::Motion& motion, const Po
                          is_between(line_run_.start, from, to);
     if (!goes_on) {
         end_line_run();
-        line_run_ = {from, {}, {}, &tool, cda::kStockOrigin};
+        line_run_ = {from, X_WA.translation, {}, {}, &tool, cda::kStockOrigin};
     }
     line_run_.ends.push_back(to);
     line_run_.steps.push_back({origin, 1.0, cells_.empty() ? Box{} : cells_[0].bounds});
@@ -291,6 +291,10 @@ void Walk::end_line_run() {
         run.steps[i].end = length(run.ends[i]) / length(run.ends.back());
     preceding_cells_[0].steps =
         std::make_shared<const cda::StraightSteps>(cda::StraightSteps{way, std::move(run.steps)});
+}
+
+std::optional<Vec3> Walk::line_start() const {
+    return line_run_.ends.size() > 1 ? std::optional(line_run_.start_mm) : std::nullopt;
 }
 
 // True if the motion is an arc about a centre that may stay within the tool throughout. Continues

@@ -4,7 +4,8 @@
 // assumed values, so the basis of a result is visible.
 #pragma once
 
-#include "ncsim/report/facts.h"
+#include "ncsim/report/cutting_facts.h"
+#include "ncsim/simulation/facts.h"
 
 #include <string>
 
@@ -12,7 +13,7 @@ namespace ncsim::report {
 
 /// Returns the sheet as text, a line for each value, ending in a newline. `name` is the name of the
 /// program.
-std::string assumption_sheet(const std::string& name, const ProgramFacts& program,
+std::string assumption_sheet(const std::string& name, const simulation::ProgramFacts& program,
                              const CuttingFacts& cutting);
 
 }  // namespace ncsim::report

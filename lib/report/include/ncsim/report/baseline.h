@@ -10,6 +10,7 @@
 #include "ncsim/base/vec3.h"
 #include "ncsim/report/checked.h"
 #include "ncsim/report/entry.h"
+#include "ncsim/simulation/known_findings.h"
 #include "ncsim/verify/selection.h"
 
 #include <cstdint>
@@ -40,7 +41,7 @@ struct KnownFinding {
 };
 
 /// Known findings of all programs of a baseline file.
-class Baseline {
+class Baseline : public simulation::KnownFindings {
 public:
     /// Makes an empty baseline.
     explicit Baseline(std::string file) : file_(std::move(file)) {}
@@ -53,7 +54,7 @@ public:
     /// `checked.resolved`, if their rules were checked. If there are more indistinguishable
     /// findings than known findings, all of these findings count as new.
     /// Cost: O(n²) for findings with the same text.
-    void accept(Checked& checked, const verify::Selection& selection) const;
+    void accept(Checked& checked, const verify::Selection& selection) const override;
 
     /// Returns the known findings of a program in one line. Equal lines give equal verdicts.
     std::string key_of_program(const std::string& program) const;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ncsim/report/checked.h"
+#include "ncsim/report/length_unit.h"
 
 #include <iosfwd>
 #include <string>
@@ -12,12 +13,13 @@
 namespace ncsim::report {
 
 /// Writes HTML 5, UTF-8, without external resources.
+/// `unit`: of texts, and at first of the viewer.
 /// Requires: `checked.page_data`, unless the program was not verified.
-void write_page(std::ostream& out, const Checked& checked);
+void write_page(std::ostream& out, const Checked& checked, LengthUnit unit);
 
 /// Writes the page of a run, without a verdict, as write_page(). `path`: the program as specified;
 /// `summary`: volumes, tools and times as text.
 void write_run_page(std::ostream& out, const std::string& path, const std::string& summary,
-                    const PageData& page_data);
+                    const simulation::PageData& page_data, LengthUnit unit);
 
 }  // namespace ncsim::report

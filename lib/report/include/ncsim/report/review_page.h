@@ -4,8 +4,9 @@
 // difference, values of both programs, and the texts side by side.
 #pragma once
 
+#include "ncsim/report/difference.h"
 #include "ncsim/report/length_unit.h"
-#include "ncsim/report/review.h"
+#include "ncsim/simulation/review.h"
 
 #include <iosfwd>
 #include <vector>
@@ -14,7 +15,7 @@ namespace ncsim::report {
 
 /// Writes HTML 5, UTF-8, without external resources; several reviews are set-ups of a job.
 /// Requires: at least one review.
-void write_review(std::ostream& out, const std::vector<Review>& reviews,
+void write_review(std::ostream& out, const std::vector<simulation::Review>& reviews,
                   LengthUnit unit = LengthUnit::Millimetre);
 
 }  // namespace ncsim::report

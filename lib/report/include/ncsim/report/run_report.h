@@ -4,8 +4,9 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
+#include "ncsim/report/cutting_facts.h"
 #include "ncsim/report/design_facts.h"
-#include "ncsim/report/facts.h"
+#include "ncsim/simulation/facts.h"
 #include "ncsim/verify/ledger.h"
 
 #include <array>
@@ -70,10 +71,10 @@ struct SectionFacts {
 /// Requires: the pointers stay valid.
 struct RunFacts {
     std::string name;  ///< Name of the program.
-    const ProgramFacts* program = nullptr;
+    const simulation::ProgramFacts* program = nullptr;
     CuttingFacts cutting;
-    const PartFacts* part = nullptr;          ///< Null: the program could not be simulated.
-    const cda::Boundary* boundary = nullptr;  ///< Null: not requested.
+    const simulation::PartFacts* part = nullptr;  ///< Null: the program could not be simulated.
+    const cda::Boundary* boundary = nullptr;      ///< Null: not requested.
     std::optional<SimplifiedFacts> simplified;
     std::optional<SolidFacts> solid;
     std::vector<SectionFacts> sections{};

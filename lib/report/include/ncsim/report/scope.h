@@ -4,18 +4,14 @@
 #pragma once
 
 #include "ncsim/report/entry.h"
+#include "ncsim/setup/program_folder.h"
 
 #include <string>
 #include <vector>
 
 namespace ncsim::report {
 
-/// An entry of a folder or a list that is not judged.
-struct ExcludedEntry {
-    std::string path;
-    std::string why;  ///< Kind of the entry: "binary file", "FIFO", "link out of the folder" …
-    bool operator==(const ExcludedEntry&) const = default;
-};
+using setup::ExcludedEntry;
 
 /// A subprogram in a file of its own, judged with the program that calls it.
 struct CalledFile {

@@ -4,7 +4,8 @@
 // operator needs at the machine.
 #pragma once
 
-#include "ncsim/report/facts.h"
+#include "ncsim/report/length_unit.h"
+#include "ncsim/simulation/facts.h"
 #include "ncsim/toolpath/tool_table.h"
 
 #include <iosfwd>
@@ -22,7 +23,7 @@ struct SheetSetUp {
     std::vector<std::pair<std::string, std::string>> values;
     std::vector<std::string> fixtures;  ///< One line each.
     std::vector<std::string> assumed;   ///< Values to measure at the machine, one line each.
-    const ProgramFacts* facts = nullptr;
+    const simulation::ProgramFacts* facts = nullptr;
     std::vector<toolpath::ToolEntry> described;  ///< Tools of the job, for their length offsets.
 };
 

@@ -3,18 +3,23 @@
 // Search for the NC programs of a folder, with reasons for all further files.
 #pragma once
 
-#include "ncsim/report/scope.h"
-
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace ncsim::setup {
 
+/// An entry of a folder or a list that is not a program.
+struct ExcludedEntry {
+    std::string path;
+    std::string why;  ///< Kind of the entry: "binary file", "FIFO", "link out of the folder" …
+    bool operator==(const ExcludedEntry&) const = default;
+};
+
 /// Programs of a folder, and the files left out.
 struct ProgramFolder {
-    std::vector<std::string> programs;            ///< Sorted by name.
-    std::vector<report::ExcludedEntry> excluded;  ///< Sorted by name.
+    std::vector<std::string> programs;    ///< Sorted by name.
+    std::vector<ExcludedEntry> excluded;  ///< Sorted by name.
 };
 
 /// Lists the files in `folder` and below. A regular file is a program if its name or its text

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ncsim/cda/workpiece.h"
-#include "ncsim/report/difference.h"
+#include "ncsim/simulation/difference.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
@@ -21,7 +21,7 @@ struct SurveyedPlan {
 
 /// Difference of two parts, with the parts.
 struct Comparison {
-    report::Difference difference;
+    Difference difference;
     Simulation old_part;  ///< With its cuts.
     /// The same; without a part if both programs make the same motions with the same tools.
     Simulation new_part;
@@ -36,6 +36,6 @@ struct Comparison {
 /// the same motions with the same tools.
 Comparison compare_with_parts(const SurveyedPlan& a, const SurveyedPlan& b);
 /// Returns the difference of compare_with_parts().
-report::Difference compare_parts(const SurveyedPlan& a, const SurveyedPlan& b);
+Difference compare_parts(const SurveyedPlan& a, const SurveyedPlan& b);
 
 }  // namespace ncsim::simulation

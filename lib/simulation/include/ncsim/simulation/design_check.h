@@ -4,8 +4,8 @@
 #pragma once
 
 #include "ncsim/base/triangle_mesh.h"
-#include "ncsim/report/design_facts.h"
 #include "ncsim/setup/input.h"
+#include "ncsim/simulation/design_facts.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/verify/finding.h"
 
@@ -39,6 +39,6 @@ void require_tolerance(const Design& design);
 /// the deepest point (no line if only faces of the stock are there). A gouge within the error of
 /// the tool and of the chords of arcs is not certain. Requires: `simulation` kept its cuts.
 std::vector<verify::Finding> compare_with(const Design& design, const Simulation& simulation,
-                                          report::DesignFacts& facts);
+                                          DesignFacts& facts);
 
 }  // namespace ncsim::simulation

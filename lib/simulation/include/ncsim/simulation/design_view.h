@@ -5,8 +5,8 @@
 
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/render_options.h"
-#include "ncsim/report/design_facts.h"
 #include "ncsim/simulation/design_check.h"
+#include "ncsim/simulation/design_facts.h"
 #include "ncsim/simulation/simulate.h"
 
 #include <vector>
@@ -19,8 +19,8 @@ inline constexpr std::size_t kDistanceClasses = 41;
 /// Distances of a part from its design, and where the part deviates.
 struct DesignView {
     exporter::DesignDistances distances;
-    report::DesignFacts facts;
-    std::vector<report::DesignPlace> places;  ///< All gouges and excesses.
+    DesignFacts facts;
+    std::vector<DesignPlace> places;  ///< All gouges and excesses.
     /// Area of the surface by distance, mm²: kDistanceClasses equal classes from
     /// -distances.largest_mm to distances.largest_mm.
     std::vector<double> areas_mm2;

@@ -4,11 +4,11 @@
 #pragma once
 
 #include "ncsim/brep/surface_forms.h"
-#include "ncsim/report/checked.h"
+#include "ncsim/simulation/checked.h"
 
 namespace ncsim::simulation {
 
 /// Returns the form of `surface`, mm.
-report::FaceForm form_of(const brep::Surface& surface);
+FaceForm form_of(const brep::Surface& surface);
 
 }  // namespace ncsim::simulation

@@ -53,8 +53,8 @@ struct JointCourse {
 inline constexpr double kCourseTolerance = 0.01;
 
 /// Returns the motion of the joints. Feed moves have a constant feed, rapid moves the speed
-/// report::kAssumedRapid, and joints rotate at most at 180 degrees/s; tool changes and dwells take
-/// the times of report::time_of(). A machine with limited acceleration is slower. Motions after
+/// verify::kAssumedRapid, and joints rotate at most at 180 degrees/s; tool changes and dwells take
+/// the times of verify::time_of(). A machine with limited acceleration is slower. Motions after
 /// plan.at_line are left out.
 /// Requires: the program is ready, and the machine is specified (plan.placed).
 JointCourse joint_course(const Plan& plan);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
-#include "ncsim/report/checked.h"
+#include "ncsim/simulation/checked.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/play_recorder.h"
 #include "ncsim/simulation/simulate.h"
@@ -17,11 +17,11 @@ namespace ncsim::simulation {
 
 /// Returns part, source and fixtures; pictures for readers without JavaScript if `has_pictures`.
 /// Requires: `simulation` kept its cuts; `boundary` is its surface.
-report::PageData page_data(const Plan& plan, const Survey& survey, const Simulation& simulation,
-                           const cda::Boundary& boundary, std::span<const verify::Fixture> fixtures,
-                           bool has_pictures);
+PageData page_data(const Plan& plan, const Survey& survey, const Simulation& simulation,
+                   const cda::Boundary& boundary, std::span<const verify::Fixture> fixtures,
+                   bool has_pictures);
 
 /// Completes the data of `play` with the lines of `simulation`.
-report::PlayData finish_play(PlayRecorder& play, const Simulation& simulation);
+PlayData finish_play(PlayRecorder& play, const Simulation& simulation);
 
 }  // namespace ncsim::simulation

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
-#include "ncsim/report/measure_sheet.h"
+#include "ncsim/simulation/measures.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/solid.h"
 #include "ncsim/simulation/survey.h"
@@ -14,7 +14,7 @@ namespace ncsim::simulation {
 
 /// Returns the measures of `solid` without the name of the program. `boundary` is the polyhedron of
 /// the same part. Threads are those of the program of `plan`.
-report::MeasureSheet measures_of(const Plan& plan, const Survey& survey, const Solid& solid,
-                                 const cda::Boundary& boundary);
+MeasureSheet measures_of(const Plan& plan, const Survey& survey, const Solid& solid,
+                         const cda::Boundary& boundary);
 
 }  // namespace ncsim::simulation

@@ -5,7 +5,6 @@
 
 #include "ncsim/cda/tiles.h"
 #include "ncsim/gcode/motion.h"
-#include "ncsim/report/facts.h"
 #include "ncsim/setup/budget.h"
 #include "ncsim/setup/job.h"
 #include "ncsim/setup/machine_file.h"
@@ -85,8 +84,5 @@ struct Plan {
 /// Throws: std::invalid_argument with the name of the model if the model does not support
 /// verification.
 void require_verifying(const Plan& plan);
-
-/// Returns model and accuracy for reports.
-report::CuttingFacts cutting_facts(const Plan& plan);
 
 }  // namespace ncsim::simulation

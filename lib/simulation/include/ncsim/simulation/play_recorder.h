@@ -5,8 +5,8 @@
 
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/gcode/motion.h"
-#include "ncsim/report/play_data.h"
 #include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/play_data.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/toolpath/walk.h"
 
@@ -33,8 +33,7 @@ public:
     void end_move(bool has_cut, const cda::WorkpieceModel& part);
     /// Records the finished part and returns the data. No member function may be called afterwards.
     /// `line_of_origin`: line of each origin of the part.
-    report::PlayData finish(const cda::WorkpieceModel& part,
-                            std::vector<std::uint32_t> line_of_origin);
+    PlayData finish(const cda::WorkpieceModel& part, std::vector<std::uint32_t> line_of_origin);
 
 private:
     void record_state(const cda::WorkpieceModel& part);
@@ -45,7 +44,7 @@ private:
 
     const Survey& survey_;
     std::uint64_t every_;
-    report::PlayData data_;
+    PlayData data_;
     std::map<int, std::uint32_t> tools_;
     const gcode::Motion* motion_ = nullptr;  // valid between begin_move() and end_move()
     std::uint32_t first_point_ = 0;

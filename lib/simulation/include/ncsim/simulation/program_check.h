@@ -3,9 +3,8 @@
 // Verification of a program, from a plan to a verdict, as in `ncsim check`.
 #pragma once
 
-#include "ncsim/report/baseline.h"
-#include "ncsim/report/checked.h"
 #include "ncsim/setup/machine_file.h"
+#include "ncsim/simulation/checked.h"
 #include "ncsim/simulation/design_check.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/survey.h"
@@ -39,9 +38,9 @@ toolpath::RapidPath rapid_path(const VerificationOptions& verification_options);
 /// Verifies a program. The result depends on `plan` and `verification_options` only. Throws:
 /// std::invalid_argument if plan.model does not verify; std::runtime_error if plan.budget is
 /// exceeded, or a picture cannot be drawn.
-report::Checked check(Plan plan, const VerificationOptions& verification_options = {});
+Checked check(Plan plan, const VerificationOptions& verification_options = {});
 /// Does the same with the result in `checked`, which keeps the partial result after an exception.
-void check(Plan plan, const VerificationOptions& verification_options, report::Checked& checked);
+void check(Plan plan, const VerificationOptions& verification_options, Checked& checked);
 /// Returns, a text each, the doubts that a verdict on the plan would have about tools, stock and
 /// motions, and the errors of its blocks, for files that the plan's run writes.
 /// Requires: `survey` belongs to `plan`; apply_machine() has applied `machine`.

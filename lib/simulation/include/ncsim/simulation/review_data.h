@@ -3,8 +3,8 @@
 // Data for the review of a changed program: pictures, values, and lines of both programs.
 #pragma once
 
-#include "ncsim/report/review.h"
 #include "ncsim/simulation/compare_parts.h"
+#include "ncsim/simulation/review.h"
 
 namespace ncsim::simulation {
 
@@ -12,6 +12,6 @@ namespace ncsim::simulation {
 /// before and after: isometric, and the view along an axis that shows most of the difference.
 /// Guarantees: the same bytes for any number of threads.
 /// Throws: std::runtime_error if a picture cannot be drawn.
-report::Review review_of(const SurveyedPlan& a, const SurveyedPlan& b, Comparison comparison);
+Review review_of(const SurveyedPlan& a, const SurveyedPlan& b, Comparison comparison);
 
 }  // namespace ncsim::simulation

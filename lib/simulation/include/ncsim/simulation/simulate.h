@@ -7,7 +7,8 @@
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/export/overlay.h"
 #include "ncsim/mesh/provenance.h"
-#include "ncsim/report/facts.h"
+#include "ncsim/simulation/cut_record.h"
+#include "ncsim/simulation/facts.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/toolpath/tool_pose.h"
@@ -25,18 +26,11 @@ namespace ncsim::simulation {
 
 struct StockHistory;
 
-/// A motion that met the stock.
-struct Cut {
-    verify::Place place;
-    std::uint64_t motion = 0;  ///< Number in the order of execution, from 1.
-    int tool = 0;
-};
-
 /// The part, with facts about the run.
-struct Simulation : report::PartFacts {
+struct Simulation : PartFacts {
     std::unique_ptr<cda::WorkpieceModel> part;
     mesh::Provenance provenance;  ///< For the origins in `part`.
-    std::vector<Cut> cuts;        ///< For the same origins, if kept.
+    std::vector<CutRecord> cuts;  ///< For the same origins, if kept.
     /// Sources of the stock's faces, which have the first origins; null: all are the stock.
     std::shared_ptr<const StockHistory> history;
     std::optional<cda::Boundary> boundary;  ///< Boundary of `part`, if kept.
@@ -89,6 +83,8 @@ class PlayRecorder;
 struct Verification {
     /// Receives every motion; null without verification. Requires: a model that verifies.
     verify::Verifier* verifier = nullptr;
+    /// Decides contacts that `verifier` leaves open; empty: the contacts stay open.
+    std::function<verify::ContactDecision(const verify::OpenContact&)> decide;
     toolpath::RapidPath rapid;
     toolpath::WatchedParts watch;
     /// Side of the error of the tools that cut the part. Certain results need a known side.

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "ncsim/gcode/source.h"
-#include "ncsim/report/facts.h"
+#include "ncsim/simulation/facts.h"
 #include "ncsim/simulation/plan.h"
 
 #include <array>
@@ -25,7 +25,7 @@ struct FeedPieces {
 };
 
 /// Result of the survey.
-struct Survey : report::ProgramFacts {
+struct Survey : ProgramFacts {
     bool has_cut_without_start = false;  ///< True if a feed move has an unknown start.
     /// True if there are only rapid moves and the stock is unspecified; then the program is not
     /// ready.

@@ -3,9 +3,9 @@
 // Options of a verification: selected rules, machine, design, known findings.
 #pragma once
 
-#include "ncsim/report/baseline.h"
 #include "ncsim/setup/machine_file.h"
 #include "ncsim/simulation/design_check.h"
+#include "ncsim/simulation/known_findings.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/verify/evidence.h"
 #include "ncsim/verify/machine_bodies.h"
@@ -30,7 +30,7 @@ struct VerificationOptions {
     std::shared_ptr<const verify::MachineBodies> bodies;
     const Design* design = nullptr;  ///< Design of the part; null if unspecified.
     /// Findings accepted before; null if none.
-    const report::Baseline* baseline = nullptr;
+    const KnownFindings* baseline = nullptr;
     bool dog_leg = false;             ///< Rapid moves run axis by axis.
     bool is_rapid_specified = false;  ///< The user specifies `dog_leg`.
     bool detached_pieces = false;     ///< Search for pieces that are cut free.

@@ -107,6 +107,9 @@ public:
     /// moves with an unknown start.
     SampleBounds take(const gcode::Motion& motion, cda::Origin origin,
                       const std::function<void(const Step&)>& step);
+    /// Returns the start (mm, W) of the line that the last motion continued; empty if the motion
+    /// continued none. The cells of a line as a whole may have the origin of any of its motions.
+    std::optional<Vec3> line_start() const;
     /// Calls `step` for the tool at rest at the end of a motion with an unknown start. The path is
     /// unknown, but the end is certain. Does nothing if the end is unknown, too.
     void at_end_position(const gcode::Motion& motion, cda::Origin origin,
@@ -133,6 +136,7 @@ private:
     // Successive straight moves along one line.
     struct LineRun {
         cda::LatticePoint start;
+        Vec3 start_mm;
         std::vector<cda::LatticePoint> ends;
         std::vector<cda::StraightSteps::Step> steps;
         ToolData* tool = nullptr;

@@ -7,6 +7,7 @@
 #include "ncsim/verify/ledger.h"
 
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct LineRange {
 
 /// Returns `lines` sorted, with overlapping and consecutive ranges merged.
 std::vector<LineRange> merged(std::vector<LineRange> lines);
+
+/// Returns "3-7, 12"; long lists are shortened.
+std::string lines_text(const std::vector<LineRange>& lines);
 
 /// Connected region of removed material.
 struct Region {

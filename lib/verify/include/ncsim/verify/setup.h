@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -60,8 +59,9 @@ struct OpenContact {
     std::vector<Box> boxes;
 };
 
-/// Decides an open contact with finer tools: Certain, still open (Within), or empty: no contact.
-using ContactRefiner = std::function<std::optional<Certainty>(const OpenContact&)>;
+/// What finer tools decide about an open contact: Certain, still open (Within), or empty: no
+/// contact.
+using ContactDecision = std::optional<Certainty>;
 
 /// Tools, machine, stock, selection of rules and assumptions of a verification.
 struct Setup {
@@ -104,7 +104,7 @@ struct Setup {
     std::set<int> cutting_tools;  ///< All tools that cut in the program.
     /// Modes that the program does not set before the first move: "units (G20, G21)".
     std::vector<std::string> inherited_modes;
-    ContactRefiner refine_contact;  ///< Empty: open contacts stay open.
+    bool decides_contacts = false;  ///< The caller decides open contacts.
     /// Ids of doubts that the user accepted.
     std::set<std::string, std::less<>> accepted;
     /// Values that must be specified; elements of kRequirements.

@@ -21,6 +21,7 @@
 #include "ncsim/verify/verdict.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,8 +51,12 @@ public:
                    double removed = 0.0);
     /// Observes the tool at rest at the end of a motion with an unknown start.
     void at_end_position(const toolpath::Step& step, const cda::WorkpieceModel& part);
-    /// Ends the motion. `part` is the part after the motion.
+    /// Ends the motion and judges it; open contacts stay open. `part` is the part after the motion.
     void end(const cda::WorkpieceModel* part = nullptr);
+    /// Ends the motion without judging it. Returns its open contacts if Setup::decides_contacts.
+    std::vector<OpenContact> end_steps(const cda::WorkpieceModel* part);
+    /// Judges the motion after end_steps(), whose open contacts have these decisions.
+    void judge(std::span<const ContactDecision> decisions);
     /// True if after_cut() needs the removed volume of every step.
     bool measures_all() const;
     /// True if the part must keep an account of removed volumes; false if measures_all().

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Names of files in reports.
-#include "ncsim/report/file_names.h"
+#include "ncsim/base/file_names.h"
 
 #include <filesystem>
 #include <system_error>
 
-namespace ncsim::report {
+namespace ncsim {
 
 std::string base_name(const std::string& path) {
     const std::size_t slash = path.rfind('/');
@@ -25,4 +25,4 @@ std::string relative_path(const std::string& path) {
     return relative.generic_string();
 }
 
-}  // namespace ncsim::report
+}  // namespace ncsim

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Follows a program up to a block, and collects what the block does.
-#include "ncsim/simulation/explain.h"
+#include "ncsim/report/explain.h"
 
+#include "ncsim/base/file_names.h"
 #include "ncsim/gcode/interpreter.h"
-#include "ncsim/report/file_names.h"
 #include "ncsim/report/value_source.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/toolpath/tool.h"
+
+#include "source_lines.h"
 
 #include <fmt/format.h>
 
@@ -20,11 +22,9 @@
 #include <utility>
 #include <vector>
 
-namespace ncsim::simulation {
+namespace ncsim::report {
 
 namespace {
-
-using report::kModeGroups;
 
 // File and line; line 0: the start of the program.
 struct Place {
@@ -32,7 +32,7 @@ struct Place {
 };
 
 // A line of one of the files of a program.
-struct Seen {
+struct LineState {
     std::uint64_t executions = 0;
     gcode::MachineState before, after;
     std::array<Place, kModeGroups> set_by;
@@ -49,14 +49,14 @@ public:
         : line_(line), machine_(machine) {}
 
     void take(std::uint32_t file, std::uint32_t line, const gcode::MachineState& state) {
-        const report::ModeNumbers numbers = report::numbers_of(state);
+        const ModeNumbers numbers = numbers_of(state);
         std::array<bool, kModeGroups> is_changed{};
         for (std::size_t i = 0; i < kModeGroups; ++i) {
             is_changed[i] = line > 0 && numbers[i] != numbers_[i];
             if (is_changed[i]) set_by_[i] = {file, line};
         }
         if (line == line_) {
-            Seen& seen = by_file_[file];
+            LineState& seen = by_file_[file];
             if (++seen.executions == 1) {
                 seen.before = state_;
                 seen.after = state;
@@ -70,9 +70,9 @@ public:
 
     void take(const gcode::Motion& motion) {
         if (motion.span.line != line_) return;
-        Seen& seen = by_file_[motion.file];
+        LineState& seen = by_file_[motion.file];
         ++seen.motion_count;
-        if (seen.motions.size() < report::Explanation::kMostMotions) seen.motions.push_back(motion);
+        if (seen.motions.size() < Explanation::kMostMotions) seen.motions.push_back(motion);
         if (gcode::start_of(motion))
             verify::add_path(seen.distances, motion, verify::coarse_samples(motion, machine_));
         else
@@ -80,7 +80,7 @@ public:
     }
 
     // Returns null if the line of the file was not reached.
-    const Seen* of(std::uint32_t file) const {
+    const LineState* of(std::uint32_t file) const {
         const auto found = by_file_.find(file);
         return found == by_file_.end() ? nullptr : &found->second;
     }
@@ -89,9 +89,9 @@ private:
     std::uint32_t line_;
     const toolpath::Kinematics* machine_;
     gcode::MachineState state_;
-    report::ModeNumbers numbers_{};
+    ModeNumbers numbers_{};
     std::array<Place, kModeGroups> set_by_;
-    std::map<std::uint32_t, Seen> by_file_;
+    std::map<std::uint32_t, LineState> by_file_;
 };
 
 // Returns X, Y and Z in the machine, in active units. Under a tilted plane, tip control or
@@ -111,23 +111,11 @@ std::optional<std::array<double, 3>> known_machine_position(const gcode::Machine
 std::uint32_t file_number(const std::vector<std::string>& files, const std::string& name) {
     if (name.empty()) return 0;
     const auto found = std::ranges::find_if(files, [&](const std::string& file) {
-        return file == name || report::base_name(file) == report::base_name(name);
+        return file == name || base_name(file) == base_name(name);
     });
     if (found == files.end())
         throw std::runtime_error(fmt::format("the program does not call a file '{}'", name));
     return static_cast<std::uint32_t>(found - files.begin());
-}
-
-// Returns the lines of a text without their ends.
-std::vector<std::string_view> lines_of(std::string_view text) {
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        lines.push_back(text.substr(0, end));
-        if (lines.back().ends_with('\r')) lines.back().remove_suffix(1);
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
 }
 
 // Returns a line. Throws: std::runtime_error.
@@ -154,35 +142,35 @@ std::uint32_t first_line_of(const gcode::SourceFile& file, std::uint32_t line) {
 }
 
 // Adds what the block removed, or why that is not known.
-void add_removed(const Plan& plan, const Survey& survey, std::uint32_t file,
-                 report::Explanation& explanation) {
+void add_removed(const simulation::Plan& plan, const simulation::Survey& survey, std::uint32_t file,
+                 Explanation& explanation) {
     if (!survey.is_ready()) {
         explanation.not_simulated = "the program cannot be simulated";
         return;
     }
-    Plan cut = plan;
+    simulation::Plan cut = plan;
     cut.block_volumes = true;
     cut.keep_boundary = cut.keep_paths = false;
     if (file == 0 && explanation.executions == 1) cut.at_line = explanation.line;
-    const Simulation simulation = simulate(cut, survey, {}, {});
+    const simulation::Simulation simulation = simulation::simulate(cut, survey, {}, {});
     const auto found = simulation.removed_by_block.find({file, explanation.line});
     explanation.removed_mm3 = found == simulation.removed_by_block.end() ? 0.0 : found->second;
 }
 
-void add_tool(const Survey& survey, report::Explanation& explanation) {
+void add_tool(const simulation::Survey& survey, Explanation& explanation) {
     const auto used = survey.tools.find(explanation.after.tool);
     if (used == survey.tools.end()) return;
-    const report::UsedTool& tool = used->second;
+    const simulation::UsedTool& tool = used->second;
     explanation.tool = toolpath::describe(tool.tool);
-    explanation.tool_source = tool.is_guess ? "assumed"
-                                            : report::specified(tool.specified_by, tool.span,
-                                                                tool.text, tool.file, "--tool");
+    explanation.tool_source =
+        tool.is_guess ? "assumed"
+                      : specified(tool.specified_by, tool.span, tool.text, tool.file, "--tool");
 }
 
 }  // namespace
 
-report::Explanation explain(const Plan& plan, const Survey& survey, std::uint32_t line,
-                            const std::string& file, bool with_volume) {
+Explanation explain(const simulation::Plan& plan, const simulation::Survey& survey,
+                    std::uint32_t line, const std::string& file, bool with_volume) {
     const bool is_klartext = survey.interpretation.dialect.dialect == gcode::Dialect::Heidenhain;
     if (is_klartext) {
         const auto read = plan.job.interpreter.read_file;
@@ -204,14 +192,14 @@ report::Explanation explain(const Plan& plan, const Survey& survey, std::uint32_
         plan.job.program, options, [&](const gcode::Motion& motion) { watch.take(motion); });
 
     const std::uint32_t number = file_number(interpretation.files, file);
-    report::Explanation result;
-    result.program = report::relative_path(plan.job.program.name);
+    Explanation result;
+    result.program = relative_path(plan.job.program.name);
     result.file = number == 0 ? result.program : interpretation.files[number];
     result.line = line;
     const auto source = called.find(result.file);
     result.text =
         line_of(number == 0 || source == called.end() ? plan.job.program : source->second, line);
-    const Seen* const seen = watch.of(number);
+    const LineState* const seen = watch.of(number);
     if (!seen || seen->executions == 0) return result;
     result.executions = seen->executions;
     result.before = seen->before;
@@ -241,4 +229,4 @@ report::Explanation explain(const Plan& plan, const Survey& survey, std::uint32_
     return result;
 }
 
-}  // namespace ncsim::simulation
+}  // namespace ncsim::report

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace ncsim::report {
+namespace ncsim {
 
 /// Returns `text` without sequences that a terminal or a CI service interprets. The number of bytes
 /// stays the same.
@@ -28,4 +28,4 @@ std::string printable_path(std::string_view path);
 /// Returns equivalent JSON without markers that CI services recognise anywhere in a line.
 std::string printable_json(std::string text);
 
-}  // namespace ncsim::report
+}  // namespace ncsim

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace ncsim::report {
+namespace ncsim::verify {
 
 inline constexpr double kAssumedRapid = 10'000.0;  ///< mm/min along the path
 inline constexpr double kAssumedToolChange = 8.0;  ///< s
@@ -26,16 +26,16 @@ struct MachiningTime {
 };
 
 /// Returns the machining time for `distances`.
-MachiningTime time_of(const verify::Distances& distances);
+MachiningTime time_of(const Distances& distances);
 
 /// Returns "33:12 min: feed 22:38 min, rapid 1:56 min at 10 m/min, …", with the assumptions.
-std::string time_line(const verify::Distances& distances);
+std::string time_line(const Distances& distances);
 /// Returns the sum of the times, s; empty if one of them is not known.
-std::optional<double> seconds_of(const verify::Ledger& ledger);
+std::optional<double> seconds_of(const Ledger& ledger);
 /// Returns a line with the times on a described machine; empty if some rate is not specified.
-std::string time_line(const verify::Ledger& ledger);
+std::string time_line(const Ledger& ledger);
 
 /// Returns "0:07 min" or "1:02:03 h".
 std::string time_text(double seconds);
 
-}  // namespace ncsim::report
+}  // namespace ncsim::verify

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace ncsim::report {
+namespace ncsim::simulation {
 
 /// A body of one colour.
 struct ColouredMesh {
@@ -55,4 +55,4 @@ struct PlayData {
     bool feeds_known = true;  ///< False: moves without a feed are timed at 1000 mm/min.
 };
 
-}  // namespace ncsim::report
+}  // namespace ncsim::simulation

@@ -3,7 +3,7 @@
 // Values of the review of a changed program: the difference, both programs, regions and pictures.
 #pragma once
 
-#include "ncsim/report/difference.h"
+#include "ncsim/simulation/difference.h"
 #include "ncsim/verify/distances.h"
 #include "ncsim/verify/region.h"
 
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace ncsim::report {
+namespace ncsim::simulation {
 
 /// Conditions of the feed moves of a tool, as text: "200 to 500 mm/min", "M3 5000 rpm", "M8".
 struct ToolProcess {
@@ -64,4 +64,4 @@ struct Review {
     std::vector<ReviewPicture> pictures;
 };
 
-}  // namespace ncsim::report
+}  // namespace ncsim::simulation

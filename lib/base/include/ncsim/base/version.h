@@ -3,8 +3,8 @@
 // Version of ncsim.
 #pragma once
 
-namespace ncsim::report {
+namespace ncsim {
 
 extern const char* const kVersion;  ///< "1.0.0"
 
-}  // namespace ncsim::report
+}  // namespace ncsim

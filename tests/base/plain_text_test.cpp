@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace ncsim::report {
+namespace ncsim {
 namespace {
 
 TEST(PlainText, KeepsWhatIsPlain) {
@@ -59,4 +59,4 @@ TEST(PlainText, LeavesJsonThatSaysTheSame) {
 }
 
 }  // namespace
-}  // namespace ncsim::report
+}  // namespace ncsim

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Removal of commands from text.
-#include "ncsim/report/plain_text.h"
+#include "ncsim/base/plain_text.h"
 
 #include "ncsim/base/ascii.h"
 #include "ncsim/base/utf8.h"
@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace ncsim::report {
+namespace ncsim {
 
 namespace {
 
@@ -94,4 +94,4 @@ std::string printable_json(std::string text) {
     return text;
 }
 
-}  // namespace ncsim::report
+}  // namespace ncsim

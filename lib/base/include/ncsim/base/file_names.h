@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace ncsim::report {
+namespace ncsim {
 
 /// Returns `path` without folders.
 std::string base_name(const std::string& path);
@@ -14,4 +14,4 @@ std::string base_name(const std::string& path);
 /// returned relative to the working directory.
 std::string relative_path(const std::string& path);
 
-}  // namespace ncsim::report
+}  // namespace ncsim

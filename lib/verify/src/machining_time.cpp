@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Machining times as text.
-#include "ncsim/report/machining_time.h"
-
-#include "append.h"
+#include "ncsim/verify/machining_time.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstdint>
 
-namespace ncsim::report {
+namespace ncsim::verify {
 
 std::optional<double> MachiningTime::total() const {
     if (!feed) return std::nullopt;
     return *feed + rapid + tool_changes + dwells;
 }
 
-MachiningTime time_of(const verify::Distances& distances) {
+MachiningTime time_of(const Distances& distances) {
     MachiningTime time;
     time.feed = distances.feed_seconds;
     time.rapid = 60.0 * distances.rapid_mm / kAssumedRapid;
@@ -26,29 +24,29 @@ MachiningTime time_of(const verify::Distances& distances) {
     return time;
 }
 
-std::string time_line(const verify::Distances& distances) {
+std::string time_line(const Distances& distances) {
     const MachiningTime time = time_of(distances);
     std::string text;
     if (time.total()) {
-        append(text, "{}: feed {}, ", time_text(*time.total()), time_text(*time.feed));
+        text += fmt::format("{}: feed {}, ", time_text(*time.total()), time_text(*time.feed));
     } else {
         text += "unknown, a feed is not specified: ";
     }
-    append(text, "rapid {} at {:g} m/min", time_text(time.rapid), 1e-3 * kAssumedRapid);
+    text += fmt::format("rapid {} at {:g} m/min", time_text(time.rapid), 1e-3 * kAssumedRapid);
     if (distances.tool_changes > 0) {
-        append(text, ", {} tool change{} of {:g} s", distances.tool_changes,
-               distances.tool_changes == 1 ? "" : "s", kAssumedToolChange);
+        text += fmt::format(", {} tool change{} of {:g} s", distances.tool_changes,
+                            distances.tool_changes == 1 ? "" : "s", kAssumedToolChange);
     }
-    if (time.dwells > 0.0) append(text, ", dwells {}", time_text(time.dwells));
+    if (time.dwells > 0.0) text += fmt::format(", dwells {}", time_text(time.dwells));
     return text + "; without acceleration";
 }
 
-std::optional<double> seconds_of(const verify::Ledger& ledger) {
+std::optional<double> seconds_of(const Ledger& ledger) {
     if (!ledger.feed_seconds || !ledger.rapid_seconds || !ledger.other_seconds) return {};
     return *ledger.feed_seconds + *ledger.rapid_seconds + *ledger.other_seconds;
 }
 
-std::string time_line(const verify::Ledger& ledger) {
+std::string time_line(const Ledger& ledger) {
     const std::optional<double> total = seconds_of(ledger);
     if (!total) return {};
     return fmt::format("{}: feed {}, rapid {}, the rest {}; as the machine is described",
@@ -62,4 +60,4 @@ std::string time_text(double seconds) {
     return fmt::format("{}:{:02}:{:02} h", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-}  // namespace ncsim::report
+}  // namespace ncsim::verify

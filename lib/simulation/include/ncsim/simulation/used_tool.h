@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace ncsim::report {
+namespace ncsim::simulation {
 
 /// A tool as used in the simulation, and the source of the description.
 struct UsedTool {
@@ -27,4 +27,4 @@ struct UsedTool {
     gcode::SourceSpan first;        ///< Block that first moves the tool.
 };
 
-}  // namespace ncsim::report
+}  // namespace ncsim::simulation

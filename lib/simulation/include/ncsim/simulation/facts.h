@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Facts about a program: before the cut, about the cut, and about the part.
+// Facts about a program before the cut, and about the part.
 #pragma once
 
 #include "ncsim/base/vec3.h"
@@ -8,8 +8,7 @@
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/interpreter.h"
-#include "ncsim/report/length_unit.h"
-#include "ncsim/report/used_tool.h"
+#include "ncsim/simulation/used_tool.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/tool_table.h"
 #include "ncsim/verify/distances.h"
@@ -21,7 +20,7 @@
 #include <string>
 #include <utility>
 
-namespace ncsim::report {
+namespace ncsim::simulation {
 
 /// Facts about a program before the cut.
 struct ProgramFacts {
@@ -66,21 +65,6 @@ struct ProgramFacts {
     bool turns_tools() const { return turns[0] || turns[1] || turns[2]; }
 };
 
-/// Model and tolerances of the cut.
-struct CuttingFacts {
-    std::string model;
-    double resolution = 0.0;              ///< Resolution of the model, mm; 0 if the model has none.
-    bool has_rays_along_z_alone = false;  ///< True if there are no rays along X and Y.
-    bool is_model_chosen = false;  ///< True if the model was chosen because the program is long.
-    double tolerance = 0.0;        ///< Tolerance of chords and of rotary moves, mm.
-    double tool_tolerance = 0.0;   ///< Tolerance of round tools, mm.
-    /// Consecutive moves within this distance of a line are joined, mm; 0: no moves are joined.
-    double join_tolerance = 0.0;
-    bool is_draft_exact = false;  ///< True for a draft of a short program, which is cut exactly.
-    std::optional<std::uint32_t> at_line;      ///< Line after which the simulation was stopped.
-    LengthUnit unit = LengthUnit::Millimetre;  ///< Of texts; all values here are in mm.
-};
-
 /// Polytope that replaced a round tool.
 struct CutterFacts {
     int sides = 0;
@@ -114,4 +98,4 @@ struct PartFacts {
     verify::Distances distances;    ///< Distances of the simulated motions.
 };
 
-}  // namespace ncsim::report
+}  // namespace ncsim::simulation

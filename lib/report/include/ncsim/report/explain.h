@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <string>
 
-namespace ncsim::simulation {
+namespace ncsim::report {
 
 /// Explains the block at `line` (from 1) of `file`, the name of a called file or its last part;
 /// empty: the main program.
@@ -18,7 +18,7 @@ namespace ncsim::simulation {
 /// Throws: std::runtime_error if no such file is called, or if it has fewer lines.
 /// Cost: interprets the program once, and, with the removed volume, simulates it up to the block,
 /// or to the end if the block is executed several times.
-report::Explanation explain(const Plan& plan, const Survey& survey, std::uint32_t line,
-                            const std::string& file = {}, bool with_volume = true);
+Explanation explain(const simulation::Plan& plan, const simulation::Survey& survey,
+                    std::uint32_t line, const std::string& file = {}, bool with_volume = true);
 
-}  // namespace ncsim::simulation
+}  // namespace ncsim::report
