@@ -3,7 +3,6 @@
 // Reads the options of `ncsim check` and `ncsim rules`.
 #include "options/check_options.h"
 
-#include "ncsim/cda/tile_number.h"
 #include "ncsim/setup/job_file.h"
 #include "ncsim/verify/doubt.h"
 #include "ncsim/verify/rule.h"
@@ -201,15 +200,9 @@ std::vector<std::string> outputs_of(const CheckOptions& o) {
 namespace {
 
 void complete_tile_of_check(CheckOptions& o) {
-    if (o.tile.empty() != o.tile_out.empty()) {
-        throw Refusal{o.tile.empty() ? "--tile-out: of which tile? --tile I/N"
-                                     : "--tile: where to is its result to go? --tile-out DIR"};
-    }
+    o.number = tile_number(o.tile, o.tile_out);
     if (o.tile.empty()) return;
     if (!o.shard.empty()) throw Refusal{"--tile: a shard is of programs, a tile of one part"};
-    o.number = shard_number(o.tile, "--tile");
-    if (o.number.of > cda::kMostTiles)
-        throw Refusal{fmt::format("--tile '{}': {} tiles at most", o.tile, cda::kMostTiles)};
     if (o.github || !outputs_of(o).empty())
         throw Refusal{"--tile: reports are written by ncsim merge"};
     if (o.programs.size() != 1 || !o.list.empty() || o.programs[0] == "-")

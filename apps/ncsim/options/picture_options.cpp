@@ -9,7 +9,6 @@
 #include <charconv>
 #include <cstddef>
 #include <iterator>
-#include <string_view>
 
 namespace ncsim::app {
 

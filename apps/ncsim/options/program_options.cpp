@@ -19,11 +19,9 @@
 #include <filesystem>
 #include <functional>
 #include <iterator>
-#include <map>
 #include <set>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace ncsim::app {

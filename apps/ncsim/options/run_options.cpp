@@ -3,7 +3,6 @@
 // Reads the options of `ncsim run`.
 #include "options/run_options.h"
 
-#include "ncsim/cda/tiles.h"
 #include "ncsim/simulation/models.h"
 
 #include <fmt/format.h>
@@ -232,14 +231,8 @@ void add_options(cli::App& run, Options& o) {
 namespace {
 
 void complete_tile(Options& o) {
-    if (o.tile.empty() != o.tile_out.empty()) {
-        throw Refusal{o.tile.empty() ? "--tile-out: of which tile? --tile I/N"
-                                     : "--tile: where to is its result to go? --tile-out DIR"};
-    }
+    o.number = tile_number(o.tile, o.tile_out);
     if (o.tile.empty()) return;
-    o.number = shard_number(o.tile, "--tile");
-    if (o.number.of > cda::kMostTiles)
-        throw Refusal{fmt::format("--tile '{}': {} tiles at most", o.tile, cda::kMostTiles)};
     if (!outputs_of(o).empty() || !o.frames.empty())
         throw Refusal{"--tile: pictures, meshes and reports are written by ncsim merge"};
     if (o.program == "-") throw Refusal{"--tile: the program has to have a name"};
