@@ -51,7 +51,6 @@
 #include <exception>
 #include <iostream>
 #include <map>
-#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>

@@ -115,25 +115,5 @@ TEST(Dominated, CellsLieWithinTheOther) {
     EXPECT_EQ(dominated(some.seen, some.seen), Domination::Coplanar);
 }
 
-// A profile serves to save work. It must not skip dominated cells, even within a single plane.
-TEST(Profile, NeverHidesAnUprightCellBelowAnother) {
-    Random random(73);
-    const BoxFrame frame(kBox);
-    for (int i = 0; i < 2000; ++i) {
-        const std::int64_t d = random.between(-kReach + 2, kReach - 2);
-        const Plane low{0, 0, 1, d};
-        const Plane high{0, 0, 1, random.between(d, kReach - 1)};
-        const std::vector<BoxPlane> a{{HalfPlane(low), low, frame}};
-        const std::vector<BoxPlane> b{{HalfPlane(high), high, frame}};
-        EXPECT_TRUE(Profile(a).may_be_covered_by(Profile(b)));
-        EXPECT_EQ(Profile(a).direction, 4);
-    }
-    const Plane low{0, 0, 1, 0};
-    const Plane high{0, 0, 1, kReach / 2};
-    EXPECT_FALSE(
-        Profile(std::vector<BoxPlane>{{HalfPlane(high), high, frame}})
-            .may_be_covered_by(Profile(std::vector<BoxPlane>{{HalfPlane(low), low, frame}})));
-}
-
 }  // namespace
 }  // namespace ncsim::cda

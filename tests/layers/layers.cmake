@@ -42,7 +42,7 @@ set(headers_cda exact:tile_number exact:origin polytope:sweep flat:visitor)
 set(headers_toolpath polytope:tool_pose polytope:side)
 set(headers_brep geometry:facets)
 set(headers_export render:image render:overlay render:render_options formats:drawing formats:moving_scene)
-set(headers_setup machines:specified_kinematics job:job_options job:option_setting)
+set(headers_setup machines:specified_kinematics machines:machine_file job:job_options job:option_setting)
 # Values that all floors hand on: every floor may include the public headers of these libraries.
 set(open_headers gcode)
 

@@ -54,7 +54,7 @@ TEST(Schema, PermitsValuesOfItsTypes) {
     EXPECT_EQ(
         error_in("name = \"a\"\nkind = \"v\"\nfixed = \"other\"\non = true\nlength = 1000\n"
                  "depth = 0\ncount = 9\nat = [1, -2.5]\npairs = [[\"a\", \"b\"]]\n"
-                 "turn = { A = 1, Q = \"names are left to the reader\" }\n"
+                 "turn = { A = 1 }\n"
                  "codes = { M1 = \"a\", N1 = 3 }\nstock = { file = \"a.stl\" }\noption = [{}]\n"
                  "[[rows]]\nsize = 1\n"),
         "");
@@ -92,6 +92,7 @@ TEST(Schema, RefusesOtherListsAndTablesWithTheirPlace) {
               "2:8: 'sise' is not known in rows; expected size (did you mean size?)");
     EXPECT_EQ(error_in("turn = { A = \"a\" }"),
               "1:14: 'turn.A': expected a number, at most 1000000");
+    EXPECT_EQ(error_in("turn = { A = 1, Q = 2 }"), "1:21: 'turn.Q': expected A, B or C");
     EXPECT_EQ(error_in("codes = { M1 = 1 }"), "1:16: 'codes.M1': expected a text in quotes");
     EXPECT_EQ(error_in("stock = 1"), "1:9: 'stock': expected a table");
     EXPECT_EQ(error_in("stock = { min = \"a\" }"),

@@ -25,6 +25,12 @@ std::string refusal(const std::string& text) {
     return "accepted";
 }
 
+TEST(JobFile, RefusesAnOptionWithHyphens) {
+    const std::string text = refusal("version = 2\ncut-free = true\n");
+    EXPECT_TRUE(text.starts_with("job.toml:2:12: 'cut-free' is not known; expected "));
+    EXPECT_TRUE(text.ends_with(" (did you mean cut_free?)"));
+}
+
 TEST(SetUpsOfAJob, AreStepsInTheOrderOfMachining) {
     const JobFile file = parse_job_file(
         {"job.toml",

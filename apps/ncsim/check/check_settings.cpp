@@ -17,12 +17,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <set>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
 #include <variant>
@@ -101,16 +99,6 @@ std::string SettingsOfPrograms::notes() const {
     return text;
 }
 
-std::string SettingsOfPrograms::job_for(const setup::ProjectFile& project,
-                                        const std::vector<setup::OptionSetting>& settings) const {
-    if (!specified_.job.empty()) return specified_.job;
-    for (const setup::OptionSetting& setting : settings) {
-        if (setting.option == "job" && setting.values.size() == 1)
-            return setup::seen_in(project.folder, setting.values[0]);
-    }
-    return {};
-}
-
 std::string SettingsOfPrograms::label_of_step(std::size_t step) const {
     const setup::JobFile file = setup::read_job_file(specified_.job, inputs_);
     return setup::steps_of(file, {}).at(step).label;
@@ -185,7 +173,7 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
         const auto is_free = [this](const std::string& option) {
             return !specified_.given.contains(option);
         };
-        const JobValues job(job_for(*project, settings), inputs_);
+        const JobValues job(job_of(specified_, settings, project->folder), inputs_);
         std::vector<std::string> words = specified_.words;
         if (specified_.job.empty())
             words = with_settings(std::move(words), job.settings(), job.folder(), is_free);

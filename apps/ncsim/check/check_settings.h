@@ -60,8 +60,6 @@ public:
     std::string notes() const;
 
 private:
-    std::string job_for(const setup::ProjectFile& project,
-                        const std::vector<setup::OptionSetting>& settings) const;
     std::string label_of_step(std::size_t step) const;
     const setup::ProjectFile* project_of(const std::string& program);
     void fill(CheckSettings& made, const setup::ProjectFile* project,

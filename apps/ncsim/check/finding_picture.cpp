@@ -23,7 +23,6 @@
 #include <optional>
 #include <stdexcept>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace ncsim::app {

@@ -9,7 +9,6 @@
 #include "options/check_options.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 

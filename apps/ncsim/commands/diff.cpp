@@ -33,6 +33,8 @@ namespace ncsim::app {
 
 namespace {
 
+using DiffArgs = DiffOptions;
+
 using Side = simulation::SurveyedPlan;
 
 // A program to compare, in its set-up.
@@ -133,43 +135,31 @@ std::optional<simulation::Review> review_of(const Input& a_input, const Input& b
 
 namespace {
 
-constexpr OptionRow<DiffOptions> kComparedPrograms[] = {{"old",
-                                                         "OLD",
-                                                         "",
-                                                         kWork,
-                                                         "NC program, or job file (.toml)",
-                                                         store<&DiffOptions::program>,
-                                                         {.is_required = true}},
-                                                        {"new",
-                                                         "NEW",
-                                                         "",
-                                                         kWork,
-                                                         "NC program, or job file (.toml)",
-                                                         store<&DiffOptions::new_program>,
-                                                         {.is_required = true}}};
+constexpr OptionRow<DiffArgs> kComparedPrograms[] = {
+    {"old", "OLD", kWork, "NC program, or job file (.toml)", store<&DiffArgs::program>, kRequired},
+    {"new", "NEW", kWork, "NC program, or job file (.toml)", store<&DiffArgs::new_program>,
+     kRequired}};
 
-constexpr OptionRow<DiffOptions> kComparisonRows[] = {
-    {"--tol",
-     "MM3",
-     "Comparison",
-     kResult,
-     "Permitted difference on each side, mm3 [0]",
-     store<&DiffOptions::tolerance_mm3>,
-     {0.0, 1e15}},
-    {"--process", "", "Comparison", kResult,
-     "Compare feeds, speeds, coolant, tools and dwells, too", store<&DiffOptions::process>},
-    {"--json", "FILE", "Outputs", kWork, "Differences, JSON", store<&DiffOptions::json>},
-    {"--html", "FILE", "Outputs", kWork, "Review: both parts, values, lines side by side",
-     store<&DiffOptions::html>},
-    {"--quiet,-q", "", "Outputs", kText, "Print nothing", store<&DiffOptions::quiet>}};
+constexpr OptionRow<DiffArgs> kComparisonRows[] = {
+    {"--tol", "MM3", kResult, "Permitted difference on each side, mm3 [0]",
+     store<&DiffArgs::tolerance_mm3>, within(0.0, 1e15)},
+    {"--process", "", kResult, "Compare feeds, speeds, coolant, tools and dwells, too",
+     store<&DiffArgs::process>}};
+
+constexpr OptionRow<DiffArgs> kDiffOutputs[] = {
+    {"--json", "FILE", kWork, "Differences, JSON", store<&DiffArgs::json>},
+    {"--html", "FILE", kWork, "Review: both parts, values, lines side by side",
+     store<&DiffArgs::html>},
+    {"--quiet,-q", "", kText, "Print nothing", store<&DiffArgs::quiet>}};
 
 }  // namespace
 
 void add_options(cli::App& diff, DiffOptions& o) {
-    add_rows(diff, kComparedPrograms, o);
+    add_rows(diff, "", kComparedPrograms, o);
     add_language_options(diff, o);
     add_setup_options(diff, o);
-    add_rows(diff, kComparisonRows, o);
+    add_rows(diff, "Comparison", kComparisonRows, o);
+    add_rows(diff, "Outputs", kDiffOutputs, o);
     add_report_unit(diff, o);
     add_simulation_options(diff, o, Models::Verifying);
 }

@@ -17,7 +17,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -54,15 +53,18 @@ ExplainOptions of_set_up(const ExplainOptions& options, setup::InputSet& inputs)
 
 void add_options(cli::App& explain, ExplainOptions& o) {
     using E = ExplainOptions;
+    static constexpr OptionRow<E> kBlockRows[] = {
+        {"--line", "N", kWork, "Line of the block, as in part.nc:120", store<&E::line>},
+        {"--in", "NAME", kWork, "Called file that has the line", store<&E::in>}};
+
     static constexpr OptionRow<E> kRows[] = {
-        {"--line", "N", "Block", kWork, "Line of the block, as in part.nc:120", store<&E::line>},
-        {"--in", "NAME", "Block", kWork, "Called file that has the line", store<&E::in>},
-        {"--no-volume", "", "Outputs", kWork,
-         "Leave out the removed volume, which needs a simulation", store<&E::no_volume>},
-        {"--json", "", "Outputs", kWork, "JSON", store<&E::json>}};
+        {"--no-volume", "", kWork, "Leave out the removed volume, which needs a simulation",
+         store<&E::no_volume>},
+        {"--json", "", kWork, "JSON", store<&E::json>}};
     add_program_options(explain, o);
     add_setup_options(explain, o);
-    add_rows(explain, kRows, o);
+    add_rows(explain, "Block", kBlockRows, o);
+    add_rows(explain, "Outputs", kRows, o);
     add_simulation_options(explain, o, Models::Exact);
 }
 

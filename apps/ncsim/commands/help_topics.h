@@ -9,14 +9,9 @@
 
 namespace ncsim::app {
 
-/// Notation of a tool in --tool; begins and ends with a line break.
-extern const std::string_view kToolNotation;
-/// Notation of stock in --stock; ends with a line break.
-extern const std::string_view kStockNotation;
-/// Standard input and output as files, and colours; ends with a line break.
-extern const std::string_view kFileNotes;
-/// Exit codes of all commands; ends with a blank line.
-extern const std::string_view kExitCodes;
+/// Returns a text that several pages share: "tool notation" and "stock notation" of --tool and
+/// --stock, "files notation" of files and colours, "exit codes". Ends with a line break.
+std::string_view help_section(std::string_view name);
 
 /// Returns the names of the pages, in the order of the list.
 std::vector<std::string> topic_names();

@@ -123,12 +123,12 @@ std::string first_project(const std::string& folder) {
 void add_options(cli::App& init, InitOptions& o) {
     using I = InitOptions;
     static constexpr OptionRow<I> kRows[] = {
-        {"programs", "FILES", "", kWork, "NC programs, a set-up each; with --repo a folder",
+        {"programs", "FILES", kWork, "NC programs, a set-up each; with --repo a folder",
          store<&I::programs>},
-        {"--output,-o", "FILE", "Outputs", kWork, "File to write [job.toml]", store<&I::output>},
-        {"--repo", "", "Outputs", kWork, "Write ncsim.toml for a folder instead", store<&I::repo>},
-        {"--quiet,-q", "", "Outputs", kText, "Print errors and warnings only", store<&I::quiet>}};
-    add_rows(init, kRows, o);
+        {"--output,-o", "FILE", kWork, "File to write [job.toml]", store<&I::output>},
+        {"--repo", "", kWork, "Write ncsim.toml for a folder instead", store<&I::repo>},
+        {"--quiet,-q", "", kText, "Print errors and warnings only", store<&I::quiet>}};
+    add_rows(init, "Outputs", kRows, o);
 }
 
 void complete(InitOptions& o) {

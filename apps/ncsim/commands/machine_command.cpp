@@ -120,22 +120,17 @@ MachineOfJob machine_of(const std::string& path, setup::InputSet& inputs) {
 void add_options(cli::App& machine, MachineOptions& o) {
     using M = MachineOptions;
     static constexpr OptionRow<M> kRows[] = {
-        {"machine",
-         "FILE",
-         "",
-         kWork,
-         "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm; or a job",
-         store<&M::machine>,
-         {.is_required = true}},
-        {"--save", "FILE", "Outputs", kWork, "Write it as a machine.toml", store<&M::save>},
-        {"--png", "FILE", "Outputs", kWork, "Picture of its links", store<&M::png>},
-        {"--view", "VIEW", "Outputs", kWork, "iso, top, bottom, front, back, left, right [iso]",
+        {"machine", "FILE", kWork, "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm; or a job",
+         store<&M::machine>, kRequired},
+        {"--save", "FILE", kWork, "Write it as a machine.toml", store<&M::save>},
+        {"--png", "FILE", kWork, "Picture of its links", store<&M::png>},
+        {"--view", "VIEW", kWork, "iso, top, bottom, front, back, left, right [iso]",
          read<&M::view, view_named>},
-        {"--transparent", "LINKS", "Outputs", kWork,
-         "Links of the machine to look through, by name", store_list<&M::transparent>},
-        {"--pose", "AXES", "Outputs", kWork, "Where the tool is with its axes there, as A30,C45",
+        {"--transparent", "LINKS", kWork, "Links of the machine to look through, by name",
+         store_list<&M::transparent>},
+        {"--pose", "AXES", kWork, "Where the tool is with its axes there, as A30,C45",
          store<&M::pose>}};
-    add_rows(machine, kRows, o);
+    add_rows(machine, "Outputs", kRows, o);
 }
 
 int run(const MachineOptions& options) {

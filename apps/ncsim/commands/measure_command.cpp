@@ -22,7 +22,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <ostream>
 #include <vector>
 
@@ -52,11 +51,11 @@ int measure_job(const MeasureOptions& options, const std::vector<ChosenStep>& st
 void add_options(cli::App& measure, MeasureOptions& o) {
     using M = MeasureOptions;
     static constexpr OptionRow<M> kRows[] = {
-        {"--json", "FILE", "Outputs", kWork, "Dimensions, JSON", store<&M::json>},
-        {"--quiet,-q", "", "Outputs", kText, "With --json: no text", store<&M::quiet>}};
+        {"--json", "FILE", kWork, "Dimensions, JSON", store<&M::json>},
+        {"--quiet,-q", "", kText, "With --json: no text", store<&M::quiet>}};
     add_program_options(measure, o);
     add_setup_options(measure, o);
-    add_rows(measure, kRows, o);
+    add_rows(measure, "Outputs", kRows, o);
     add_report_unit(measure, o);
     add_simulation_options(measure, o, Models::Exact);
 }

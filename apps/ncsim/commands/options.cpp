@@ -13,6 +13,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <tuple>
 #include <utility>
 
 namespace ncsim::app {
@@ -20,8 +22,9 @@ namespace ncsim::app {
 namespace {
 
 std::string footer(const char* example) {
-    return fmt::format("{}{}{}{}Example: {}", kToolNotation, kStockNotation, kFileNotes, kExitCodes,
-                       example);
+    return fmt::format("{}{}{}{}Example: {}", help_section("tool notation"),
+                       help_section("stock notation"), help_section("files notation"),
+                       help_section("exit codes"), example);
 }
 
 // Translates common forms such as `ncsim version` into options.
@@ -99,69 +102,55 @@ struct About {
     const char* example;
 };
 
-// All commands, in the order of help.
-struct Commands {
-    Options run;
-    ParseOptions parse;
-    ToolsOptions tools;
-    CheckOptions check;
-    MergeOptions merge;
-    DiffOptions diff;
-    MachineOptions machine;
-    MeasureOptions measure;
-    InitOptions init;
-    SheetOptions sheet;
-    ExplainOptions explain;
-    RulesOptions rules;
+constexpr const char* kRunExample =
+    "ncsim run samples/simple.nc --png simple.png --gltf simple.glb";
 
-    // Calls visit(about, options) for each command.
-    template <class Visit>
-    void each(const Visit& visit) {
-        visit(About{"run", "Simulate a program; write pictures, meshes and reports", kRunExample},
-              run);
-        visit(About{"parse", "Show how a program is read: blocks or motions",
-                    "ncsim parse samples/simple.nc --canonical"},
-              parse);
-        visit(About{"tools", "List the tools of a program: shape, source, use, conflicts",
-                    "ncsim tools samples/complex.nc --save-job complex.toml"},
-              tools);
-        visit(About{"check", "Verify that programs are safe; exit code 1 if not",
-                    "ncsim check samples/simple.nc samples/complex.nc"},
-              check);
-        visit(About{"merge", "Combine results of --shard or --tile into those of one run",
-                    "ncsim merge results/ --sarif all.sarif"},
-              merge);
-        visit(About{"diff", "Compare the parts of two programs: exit code 1 if they differ",
-                    "ncsim diff old.nc new.nc --tol 0.01"},
-              diff);
-        visit(About{"machine", "Show how a machine is built and turns",
-                    "ncsim machine samples/machines/trt.toml --pose A-30,C45"},
-              machine);
-        visit(About{"measure", "List bores, floors and distances of walls",
-                    "ncsim measure samples/simple.nc --json simple.json"},
-              measure);
-        visit(About{"init", "Write a first job file for programs, with all assumptions",
-                    "ncsim init top.nc back.nc"},
-              init);
-        visit(About{"sheet", "Write the set-up sheet of a job: tools, stock, zero, fixtures",
-                    "ncsim sheet samples/two-sides/job.toml --html sheet.html"},
-              sheet);
-        visit(About{"explain", "Explain a block: modes and their lines, moves, volume",
-                    "ncsim explain samples/simple.nc:14"},
-              explain);
-        visit(About{"rules", "Explain the rules of ncsim check", nullptr}, rules);
-    }
+// All commands, in the order of help, which is that of Command.
+constexpr About kCommands[] = {
+    {"run", "Simulate a program; write pictures, meshes and reports", kRunExample},
+    {"parse", "Show how a program is read: blocks or motions",
+     "ncsim parse samples/simple.nc --canonical"},
+    {"tools", "List the tools of a program: shape, source, use, conflicts",
+     "ncsim tools samples/complex.nc --save-job complex.toml"},
+    {"check", "Verify that programs are safe; exit code 1 if not",
+     "ncsim check samples/simple.nc samples/complex.nc"},
+    {"merge", "Combine results of --shard or --tile into those of one run",
+     "ncsim merge results/ --sarif all.sarif"},
+    {"diff", "Compare the parts of two programs: exit code 1 if they differ",
+     "ncsim diff old.nc new.nc --tol 0.01"},
+    {"machine", "Show how a machine is built and turns",
+     "ncsim machine samples/machines/trt.toml --pose A-30,C45"},
+    {"measure", "List bores, floors and distances of walls",
+     "ncsim measure samples/simple.nc --json simple.json"},
+    {"init", "Write a first job file for programs, with all assumptions",
+     "ncsim init top.nc back.nc"},
+    {"sheet", "Write the set-up sheet of a job: tools, stock, zero, fixtures",
+     "ncsim sheet samples/two-sides/job.toml --html sheet.html"},
+    {"explain", "Explain a block: modes and their lines, moves, volume",
+     "ncsim explain samples/simple.nc:14"},
+    {"rules", "Explain the rules of ncsim check", nullptr}};
 
-    static constexpr const char* kRunExample =
-        "ncsim run samples/simple.nc --png simple.png --gltf simple.glb";
-};
+// Options of all commands.
+template <class... Of>
+std::tuple<Of...> options_of(const std::variant<Of...>&);
+using Commands = decltype(options_of(Command()));
+static_assert(std::tuple_size_v<Commands> == std::size(kCommands) + 1);
+
+// Calls visit(about, options) for each command.
+template <class Visit>
+void each(Commands& commands, const Visit& visit) {
+    const auto visit_all = [&]<std::size_t... I>(std::index_sequence<I...>) {
+        (visit(kCommands[I], std::get<I>(commands)), ...);
+    };
+    visit_all(std::make_index_sequence<std::size(kCommands)>());
+}
 
 // Adds the command `name`; all commands if none has this name, because adding the options of all
 // commands takes longer than a small program.
 void add_commands(cli::App& app, Commands& commands, std::string_view name) {
     bool is_named = false;
-    commands.each([&](const About& about, const auto&) { is_named |= about.name == name; });
-    commands.each([&](const About& about, auto& options) {
+    each(commands, [&](const About& about, const auto&) { is_named |= about.name == name; });
+    each(commands, [&](const About& about, auto& options) {
         if (is_named && about.name != name) return;
         cli::App* const command = app.add_subcommand(std::string(about.name), about.summary);
         add_options(*command, options);
@@ -211,8 +200,8 @@ Command parse_options(const std::vector<std::string>& arguments) {
     bool verbose = false;
     app.add_flag("--verbose", verbose, "With --version: libraries and licences");
     app.require_subcommand();
-    app.footer(
-        fmt::format("\nTopics:\n{}{}Example: {}", topic_list(), kExitCodes, Commands::kRunExample));
+    app.footer(fmt::format("\nTopics:\n{}{}Example: {}", topic_list(), help_section("exit codes"),
+                           kRunExample));
 
     const std::vector<std::string> words = as_options(arguments);
     Commands commands;
@@ -233,7 +222,7 @@ Command parse_options(const std::vector<std::string>& arguments) {
         if (verbose) throw Refusal{"--verbose stands with --version, or behind a command"};
         refuse_empty_names(*chosen);
         Command result;
-        commands.each([&](const About& about, auto& options) {
+        each(commands, [&](const About& about, auto& options) {
             if (about.name != chosen->name()) return;
             finish(options, *chosen, words);
             result = std::move(options);

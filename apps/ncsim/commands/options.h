@@ -29,10 +29,10 @@ struct EarlyExit {
     std::string text;  ///< For stdout if the exit code is kClean, otherwise for stderr.
 };
 
-/// Options of the chosen command. For each type there is a run().
+/// Options of the chosen command, in the order of help. For each type there is a run().
 using Command = std::variant<Options, ParseOptions, ToolsOptions, CheckOptions, MergeOptions,
-                             DiffOptions, MachineOptions, MeasureOptions, RulesOptions, InitOptions,
-                             SheetOptions, ExplainOptions, EarlyExit>;
+                             DiffOptions, MachineOptions, MeasureOptions, InitOptions, SheetOptions,
+                             ExplainOptions, RulesOptions, EarlyExit>;
 
 /// Returns the long names of the options of a command, without dashes.
 /// Requires: `command` is the name of a command.

@@ -35,17 +35,12 @@ const gcode::ControlCodes* known_control(const char* option, const std::string& 
 void add_options(cli::App& parse, ParseOptions& o) {
     using P = ParseOptions;
     static constexpr OptionRow<P> kRows[] = {
-        {"--canonical", "", "Outputs", kWork, "Motions, in mm and degrees", store<&P::canonical>},
-        {"--for",
-         "CONTROL",
-         "Outputs",
-         kWork,
-         "Codes that this control does not have: grbl, haas, …",
-         read<&P::control, known_control>,
-         {.excludes = "--canonical"}},
-        {"--json", "", "Outputs", kWork, "JSON, an object per line", store<&P::json>}};
+        {"--canonical", "", kWork, "Motions, in mm and degrees", store<&P::canonical>},
+        {"--for", "CONTROL", kWork, "Codes that this control does not have: grbl, haas, …",
+         read<&P::control, known_control>, without("--canonical")},
+        {"--json", "", kWork, "JSON, an object per line", store<&P::json>}};
     add_program_options(parse, o);
-    add_rows(parse, kRows, o);
+    add_rows(parse, "Outputs", kRows, o);
 }
 
 int run(const ParseOptions& options) {

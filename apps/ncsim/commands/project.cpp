@@ -82,17 +82,6 @@ bool is_quiet(const std::vector<std::string>& words) {
         words, [](const std::string& word) { return word == "-q" || word == "--quiet"; });
 }
 
-// Returns the job file: of the command line, otherwise of the project.
-std::string job_of(const ProgramOptions& options, const std::vector<setup::OptionSetting>& settings,
-                   const std::string& folder) {
-    if (!options.job.empty()) return options.job;
-    for (const setup::OptionSetting& setting : settings) {
-        if (setting.option == "job" && setting.values.size() == 1)
-            return setup::seen_in(folder, setting.values[0]);
-    }
-    return {};
-}
-
 // Prints where each value of a completed command line comes from.
 void print_sources(const std::vector<std::string>& arguments, const JobValues& job,
                    const std::vector<setup::OptionSetting>& settings,
@@ -132,6 +121,16 @@ bool is_given(const std::vector<std::string>& words, const std::string& name) {
 }
 
 }  // namespace
+
+std::string job_of(const ProgramOptions& options, const std::vector<setup::OptionSetting>& settings,
+                   const std::string& folder) {
+    if (!options.job.empty()) return options.job;
+    for (const setup::OptionSetting& setting : settings) {
+        if (setting.option == "job" && setting.values.size() == 1)
+            return setup::seen_in(folder, setting.values[0]);
+    }
+    return {};
+}
 
 std::vector<std::string> words_of_setting(const setup::OptionSetting& setting,
                                           const std::string& folder) {

@@ -21,6 +21,10 @@ namespace ncsim::app {
 std::vector<std::string> words_of_setting(const setup::OptionSetting& setting,
                                           const std::string& folder);
 
+/// Returns the job file: of the command line, otherwise of the settings of a project in `folder`.
+std::string job_of(const ProgramOptions& options, const std::vector<setup::OptionSetting>& settings,
+                   const std::string& folder);
+
 /// Returns the command line `words` with the settings whose options `accepts`.
 std::vector<std::string> with_settings(std::vector<std::string> words,
                                        const std::vector<setup::OptionSetting>& settings,

@@ -78,12 +78,11 @@ report::SheetSetUp sheet_of(const simulation::Plan& plan, const simulation::Surv
 
 void add_options(cli::App& sheet, SheetOptions& o) {
     using S = SheetOptions;
-    static constexpr OptionRow<S> kRows[] = {{"--html", "FILE", "Outputs", kWork,
-                                              "Sheet, HTML; a page on paper for each set-up",
-                                              store<&S::html>}};
+    static constexpr OptionRow<S> kRows[] = {
+        {"--html", "FILE", kWork, "Sheet, HTML; a page on paper for each set-up", store<&S::html>}};
     add_program_options(sheet, o);
     add_setup_options(sheet, o);
-    add_rows(sheet, kRows, o);
+    add_rows(sheet, "Outputs", kRows, o);
     add_report_unit(sheet, o);
 }
 

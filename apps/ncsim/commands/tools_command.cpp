@@ -35,15 +35,14 @@ namespace ncsim::app {
 void add_options(cli::App& tools, ToolsOptions& o) {
     using T = ToolsOptions;
     static constexpr OptionRow<T> kRows[] = {
-        {"--json", "", "Outputs", kWork, "JSON", store<&T::json>},
-        {"--convert", "FILE", "Outputs", kWork,
+        {"--json", "", kWork, "JSON", store<&T::json>},
+        {"--convert", "FILE", kWork,
          "Tools of --tool-table as a job (.toml) or for LinuxCNC (.tbl)", store<&T::convert>},
-        {"--quiet,-q", "", "Outputs", kText, "With --save-job or --convert: no text",
-         store<&T::quiet>}};
+        {"--quiet,-q", "", kText, "With --save-job or --convert: no text", store<&T::quiet>}};
     add_program_options(tools, o);
     add_setup_options(tools, o);
     add_save_job(tools, o);
-    add_rows(tools, kRows, o);
+    add_rows(tools, "Outputs", kRows, o);
     add_report_unit(tools, o);
 }
 

@@ -6,7 +6,6 @@
 #include "ncsim/verify/evidence.h"
 
 #include "check/check_command.h"
-#include "commands/options.h"
 #include "run/tile.h"
 
 #include <fmt/format.h>
@@ -18,25 +17,21 @@
 
 namespace ncsim::app {
 
-namespace {
-
-CheckOptions check_options_from(const std::vector<std::string>& words) {
+Command command_of_tiles(const std::vector<std::string>& words) {
     Command command = parse_options(words);
     if (const auto* early_exit = std::get_if<EarlyExit>(&command)) {
         throw std::runtime_error("the tiles: " +
                                  early_exit->text.substr(0, early_exit->text.find('\n')));
     }
-    return std::get<CheckOptions>(std::move(command));
+    return command;
 }
-
-}  // namespace
 
 int merge_checks(const MergeOptions& merge, const std::vector<report::TileFile>& files,
                  const std::vector<std::size_t>& order, bool has_part,
                  const std::function<std::string(std::size_t)>& read) {
     std::vector<std::string> words = files[order[0]].head.words;
     // Tile files may specify inputs, but no outputs, because their author is not trusted.
-    const CheckOptions of_tiles = check_options_from(words);
+    const auto of_tiles = std::get<CheckOptions>(command_of_tiles(words));
     if (!outputs_of(of_tiles).empty() || !of_tiles.tile.empty() || !of_tiles.shard.empty() ||
         of_tiles.github || of_tiles.exit_zero || !of_tiles.cache.empty() ||
         !of_tiles.list.empty() || of_tiles.programs.size() != 1)
@@ -62,7 +57,7 @@ int merge_checks(const MergeOptions& merge, const std::vector<report::TileFile>&
                                                {"quiet", merge.quiet}}) {
         if (is_specified) tell(option);
     }
-    CheckOptions options = check_options_from(words);
+    auto options = std::get<CheckOptions>(command_of_tiles(words));
     options.tile_files = files[order[0]].head.files;
     auto seen = std::make_shared<simulation::TileResults>();
     try {

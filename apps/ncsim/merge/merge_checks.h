@@ -5,6 +5,7 @@
 
 #include "ncsim/report/tile_file.h"
 
+#include "commands/options.h"
 #include "options/merge_options.h"
 
 #include <cstddef>
@@ -13,6 +14,10 @@
 #include <vector>
 
 namespace ncsim::app {
+
+/// Parses the words of tiles.
+/// Throws: std::runtime_error if they are no command.
+Command command_of_tiles(const std::vector<std::string>& words);
 
 /// Reports the verdict from the observations of all tiles. `files[order[i]]` is tile i;
 /// TileFile::tile may be absent there, and `read(i)` returns the text. `has_part`: a tile has a

@@ -6,7 +6,6 @@
 #include "ncsim/cda/tiles.h"
 #include "ncsim/report/tile_file.h"
 
-#include "commands/options.h"
 #include "merge/merge_checks.h"
 #include "run/mesh_folder.h"
 #include "run/run.h"
@@ -25,11 +24,7 @@ namespace ncsim::app {
 namespace {
 
 Options options_from(const std::vector<std::string>& words) {
-    Command command = parse_options(words);
-    if (const auto* early_exit = std::get_if<EarlyExit>(&command)) {
-        throw std::runtime_error("the tiles: " +
-                                 early_exit->text.substr(0, early_exit->text.find('\n')));
-    }
+    Command command = command_of_tiles(words);
     auto* options = std::get_if<Options>(&command);
     if (!options) throw std::runtime_error("the tiles are of no ncsim run");
     return std::move(*options);

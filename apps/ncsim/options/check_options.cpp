@@ -3,7 +3,6 @@
 // Reads the options of `ncsim check` and `ncsim rules`.
 #include "options/check_options.h"
 
-#include "ncsim/cda/tile_number.h"
 #include "ncsim/setup/job_file.h"
 #include "ncsim/verify/doubt.h"
 #include "ncsim/verify/rule.h"
@@ -21,6 +20,8 @@
 namespace ncsim::app {
 
 namespace {
+
+using CheckArgs = CheckOptions;
 
 std::vector<std::string_view> ids_of(const char* option, const std::string& name) {
     auto ids = verify::rules_named(name);
@@ -88,74 +89,63 @@ void require(const char* option, const std::vector<std::string>& names, CheckOpt
 
 constexpr Choice<bool> kRapidPaths[] = {{"linear", false}, {"dog-leg", true}};
 
-constexpr OptionRow<CheckOptions> kCheckPrograms[] = {
-    {"programs", "FILES", "", kWork, "NC programs, folders with programs, or a job file",
-     store<&CheckOptions::programs>}};
+constexpr OptionRow<CheckArgs> kCheckPrograms[] = {
+    {"programs", "FILES", kWork, "NC programs, folders with programs, or a job file",
+     store<&CheckArgs::programs>}};
 
-constexpr OptionRow<CheckOptions> kRuleRows[] = {
-    {"--select", "RULES", "Rules and verdict", kResult, "Only these rules or categories",
-     act_on_list<select>},
+constexpr OptionRow<CheckArgs> kRuleRows[] = {
+    {"--select", "RULES", kResult, "Only these rules or categories", act_on_list<select>},
     // Applied after --select, whatever the order on the command line.
-    {"--ignore", "RULES", "Rules and verdict", kResult, "All rules except these",
-     act_on_list<ignore>},
-    {"--severity", "RULE=S", "Rules and verdict", kResult,
-     "Severity of a rule: note, warning, error", act_on_list<select_severities>},
-    {"--accept", "REASONS", "Rules and verdict", kResult,
-     "Doubts that do not count: stock-guess,…; all", act_on_list<accept>},
-    {"--require", "THINGS", "Rules and verdict", kResult,
+    {"--ignore", "RULES", kResult, "All rules except these", act_on_list<ignore>},
+    {"--severity", "RULE=S", kResult, "Severity of a rule: note, warning, error",
+     act_on_list<select_severities>},
+    {"--accept", "REASONS", kResult, "Doubts that do not count: stock-guess,…; all",
+     act_on_list<accept>},
+    {"--require", "THINGS", kResult,
      "Required: holder,fixtures,travels,offsets,links,lengths,modes", act_on_list<require>},
-    {"--baseline", "FILE", "Rules and verdict", kResult, "Known findings, which do not count",
-     store<&CheckOptions::baseline>},
-    {"--warnings-as-errors", "", "Rules and verdict", kResult, "Warnings fail, too",
-     store<&CheckOptions::warnings_as_errors>},
-    {"--design", "FILE", "Rules and verdict", kResult,
-     "Compare the part: STL (mm), GLB or STEP in G54", store<&CheckOptions::design>},
-    {"--design-tol", "MM", "Rules and verdict", kResult, "Permitted deviation, mm [0.1]",
-     store<&CheckOptions::design_tolerance>, kDesignTolerances},
-    {"--rapid", "PATH", "Rules and verdict", kResult,
-     "Path of rapid moves: linear, dog-leg [linear]", choose<&CheckOptions::dog_leg, kRapidPaths>},
-    {"--cut-free", "", "Rules and verdict", kResult, "Find pieces that are cut free, too; slower",
-     store<&CheckOptions::detached_pieces>},
-    {"--air-cuts", "", "Rules and verdict", kResult,
-     "Find feed moves that remove nothing, too; slower", store<&CheckOptions::air_cuts>}};
+    {"--baseline", "FILE", kResult, "Known findings, which do not count",
+     store<&CheckArgs::baseline>},
+    {"--warnings-as-errors", "", kResult, "Warnings fail, too",
+     store<&CheckArgs::warnings_as_errors>},
+    {"--design", "FILE", kResult, "Compare the part: STL (mm), GLB or STEP in G54",
+     store<&CheckArgs::design>},
+    {"--design-tol", "MM", kResult, "Permitted deviation, mm [0.1]",
+     store<&CheckArgs::design_tolerance>, kDesignTolerances},
+    {"--rapid", "PATH", kResult, "Path of rapid moves: linear, dog-leg [linear]",
+     choose<&CheckArgs::dog_leg, kRapidPaths>},
+    {"--cut-free", "", kResult, "Find pieces that are cut free, too; slower",
+     store<&CheckArgs::detached_pieces>},
+    {"--air-cuts", "", kResult, "Find feed moves that remove nothing, too; slower",
+     store<&CheckArgs::air_cuts>}};
 
-constexpr OptionRow<CheckOptions> kCheckOutputs[] = {
-    {"--csv", "FILE", "Outputs", kWork, "Volume and time of each block, CSV; slower",
-     store<&CheckOptions::csv>},
-    {"--html", "FILE", "Outputs", kWork, "Page with the part; DIR/: pages with an index",
-     store<&CheckOptions::html>},
-    {"--png", "FILE", "Pictures", kWork, "The gravest finding: the tool where it meets",
-     store<&CheckOptions::png>},
-    {"--finding",
-     "N",
-     "Pictures",
-     kWork,
-     "Finding of --png, by its number in the text",
-     store<&CheckOptions::finding>,
-     {.least = 1, .most = 1e9, .needs = "--png"}}};
+constexpr OptionRow<CheckArgs> kCheckOutputs[] = {
+    {"--csv", "FILE", kWork, "Volume and time of each block, CSV; slower", store<&CheckArgs::csv>},
+    {"--html", "FILE", kWork, "Page with the part; DIR/: pages with an index",
+     store<&CheckArgs::html>}};
 
-constexpr OptionRow<CheckOptions> kBatchRows[] = {
-    {"--list", "FILE", "Many programs", kWork, "File with a path per line; -: standard input",
-     store<&CheckOptions::list>},
-    {"--jobs,-j",
-     "N",
-     "Many programs",
-     kWork,
-     "Programs at a time; no effect on results",
-     store<&CheckOptions::jobs>,
-     {1, 1024}},
-    {"--isolate", "", "Many programs", kWork, "One process per program: a crash stops no other",
-     store<&CheckOptions::isolate>},
-    {"--cache", "DIR", "Many programs", kWork, "Folder that keeps verdicts of unchanged programs",
-     store<&CheckOptions::cache>},
-    {"--shard", "I/N", "Many programs", kWork,
-     "Share I of N of the programs, from 0; auto: as CI says", store<&CheckOptions::shard>},
-    {"--out", "DIR", "Many programs", kWork, "Folder for the result of a shard, for ncsim merge",
-     store<&CheckOptions::out>},
-    {"--tile", "I/N", "Many programs", kWork,
-     "Verify tile I of N of the part, from 0; auto: as CI says", store<&CheckOptions::tile>},
-    {"--tile-out", "DIR", "Many programs", kWork,
-     "Folder for the result of a tile, for ncsim merge", store<&CheckOptions::tile_out>}};
+constexpr OptionRow<CheckArgs> kCheckPictures[] = {
+    {"--png", "FILE", kWork, "The gravest finding: the tool where it meets",
+     store<&CheckArgs::png>},
+    {"--finding", "N", kWork, "Finding of --png, by its number in the text",
+     store<&CheckArgs::finding>, within(1, 1e9, "--png")}};
+
+constexpr OptionRow<CheckArgs> kBatchRows[] = {
+    {"--list", "FILE", kWork, "File with a path per line; -: standard input",
+     store<&CheckArgs::list>},
+    {"--jobs,-j", "N", kWork, "Programs at a time; no effect on results", store<&CheckArgs::jobs>,
+     within(1, 1024)},
+    {"--isolate", "", kWork, "One process per program: a crash stops no other",
+     store<&CheckArgs::isolate>},
+    {"--cache", "DIR", kWork, "Folder that keeps verdicts of unchanged programs",
+     store<&CheckArgs::cache>},
+    {"--shard", "I/N", kWork, "Share I of N of the programs, from 0; auto: as CI says",
+     store<&CheckArgs::shard>},
+    {"--out", "DIR", kWork, "Folder for the result of a shard, for ncsim merge",
+     store<&CheckArgs::out>},
+    {"--tile", "I/N", kWork, "Verify tile I of N of the part, from 0; auto: as CI says",
+     store<&CheckArgs::tile>},
+    {"--tile-out", "DIR", kWork, "Folder for the result of a tile, for ncsim merge",
+     store<&CheckArgs::tile_out>}};
 
 // Returns the long name without dashes.
 std::string long_name(const cli::Option& option) {
@@ -165,16 +155,17 @@ std::string long_name(const cli::Option& option) {
 }  // namespace
 
 void add_options(cli::App& check, CheckOptions& o) {
-    add_rows(check, kCheckPrograms, o);
+    add_rows(check, "", kCheckPrograms, o);
     add_language_options(check, o);
     add_setup_options(check, o);
-    add_rows(check, kRuleRows, o);
-    add_rows(check, report_options(), static_cast<ReportOptions&>(o));
+    add_rows(check, "Rules and verdict", kRuleRows, o);
+    add_rows(check, "Outputs", report_options(), static_cast<ReportOptions&>(o));
     add_report_unit(check, o);
     add_watch(check, o);
-    add_rows(check, kCheckOutputs, o);
-    add_rows(check, picture_options(), static_cast<PictureOptions&>(o));
-    add_rows(check, kBatchRows, o);
+    add_rows(check, "Outputs", kCheckOutputs, o);
+    add_rows(check, "Pictures", kCheckPictures, o);
+    add_rows(check, "Pictures", picture_options(), static_cast<PictureOptions&>(o));
+    add_rows(check, "Many programs", kBatchRows, o);
     add_simulation_options(check, o, Models::Verifying);
 }
 
@@ -209,15 +200,9 @@ std::vector<std::string> outputs_of(const CheckOptions& o) {
 namespace {
 
 void complete_tile_of_check(CheckOptions& o) {
-    if (o.tile.empty() != o.tile_out.empty()) {
-        throw Refusal{o.tile.empty() ? "--tile-out: of which tile? --tile I/N"
-                                     : "--tile: where to is its result to go? --tile-out DIR"};
-    }
+    o.number = tile_number(o.tile, o.tile_out);
     if (o.tile.empty()) return;
     if (!o.shard.empty()) throw Refusal{"--tile: a shard is of programs, a tile of one part"};
-    o.number = shard_number(o.tile, "--tile");
-    if (o.number.of > cda::kMostTiles)
-        throw Refusal{fmt::format("--tile '{}': {} tiles at most", o.tile, cda::kMostTiles)};
     if (o.github || !outputs_of(o).empty())
         throw Refusal{"--tile: reports are written by ncsim merge"};
     if (o.programs.size() != 1 || !o.list.empty() || o.programs[0] == "-")
@@ -324,9 +309,9 @@ std::optional<OptionKind> kind_of_check_option(const std::string& name) {
 void add_options(cli::App& rules, RulesOptions& options) {
     using R = RulesOptions;
     static constexpr OptionRow<R> kRows[] = {
-        {"id", "NAME", "", kWork, "Rule, category or reason for doubt [all]", store<&R::id>},
-        {"--json", "", "Outputs", kWork, "As JSON", store<&R::json>}};
-    add_rows(rules, kRows, options);
+        {"id", "NAME", kWork, "Rule, category or reason for doubt [all]", store<&R::id>},
+        {"--json", "", kWork, "As JSON", store<&R::json>}};
+    add_rows(rules, "Outputs", kRows, options);
 }
 
 }  // namespace ncsim::app

@@ -13,12 +13,10 @@
 #include "options/shard_number.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ncsim::app {

@@ -40,7 +40,7 @@ CLI::Validator number_range(double least, double most, const char* unit) {
 
 void Option::describe(const char* type, const char* group, Counts counts, const Limits& limits) {
     if (*type != '\0') option_->type_name(type);
-    if (*group != '\0') option_->group(group);
+    if (!is_positional()) option_->group(group);
     option_->required(limits.is_required);
     if (*limits.needs != '\0') option_->needs(limits.needs);
     if (*limits.excludes != '\0') option_->excludes(limits.excludes);

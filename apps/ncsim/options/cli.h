@@ -31,7 +31,9 @@ inline constexpr Counts kText{true, false, false};   ///< Changes only texts of 
 inline constexpr Counts kLook{false, true, false};   ///< Changes only files made of a part.
 inline constexpr Counts kLimit{false, false, true};  ///< Stops a program, and changes no result.
 inline constexpr Counts kWork{};                     ///< Division of the work, and files to write.
-inline constexpr Counts kOfPart{.merge = true};      ///< File that is made of a part.
+inline constexpr Counts kInTiles{.tile = true};      ///< Kept in tiles, without effect on results.
+inline constexpr Counts kOfTiles{.tile = true, .merge = true};  ///< Look of files made of tiles.
+inline constexpr Counts kOfPart{.merge = true};                 ///< File that is made of a part.
 
 /// Restrictions of an option.
 struct Limits {
@@ -40,6 +42,18 @@ struct Limits {
     const char* excludes = "";       ///< Name of an option with which this one is refused.
     bool is_required = false;
 };
+inline constexpr Limits kRequired{.is_required = true};
+/// Permits numbers from `least` to `most`, with another option if `needs` is its name.
+constexpr Limits within(double least, double most, const char* needs = "") {
+    return {.least = least, .most = most, .needs = needs};
+}
+/// Permits the option only with, or only without, the option `name`.
+constexpr Limits with(const char* name) {
+    return {.needs = name};
+}
+constexpr Limits without(const char* name) {
+    return {.excludes = name};
+}
 
 /// Option of a command.
 class Option {
@@ -47,7 +61,7 @@ public:
     explicit Option(CLI::Option* option) : option_(option) {}
 
     /// Sets the properties of a row of a table of options. `type`: kind of value in help; `group`:
-    /// heading in help.
+    /// heading in help, unless the option is positional.
     void describe(const char* type, const char* group, Counts counts, const Limits& limits);
     /// Accepts one value for each name; the name may be repeated.
     Option* accept_one_value();

@@ -9,7 +9,6 @@
 #include "options/program_options.h"
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace ncsim::app {

@@ -9,13 +9,9 @@ namespace ncsim::app {
 
 namespace {
 
-constexpr OptionRow<MergeOptions> kSources[] = {{"sources",
-                                                 "DIRS",
-                                                 "",
-                                                 kWork,
+constexpr OptionRow<MergeOptions> kSources[] = {{"sources", "DIRS", kWork,
                                                  "Folders or files with results",
-                                                 store<&MergeOptions::sources>,
-                                                 {.is_required = true}}};
+                                                 store<&MergeOptions::sources>, kRequired}};
 
 // Adds the options of ncsim run that merge applies to tiles.
 void add_options_of_run(cli::App& merge, MergeOptions& o) {
@@ -37,8 +33,8 @@ void add_options_of_run(cli::App& merge, MergeOptions& o) {
 }  // namespace
 
 void add_options(cli::App& merge, MergeOptions& o) {
-    add_rows(merge, kSources, o);
-    add_rows(merge, report_options(), static_cast<ReportOptions&>(o));
+    add_rows(merge, "", kSources, o);
+    add_rows(merge, "Outputs", report_options(), static_cast<ReportOptions&>(o));
     add_options_of_run(merge, o);
 }
 

@@ -19,19 +19,24 @@
 
 namespace ncsim::app {
 
+using cli::kInTiles;
 using cli::kLimit;
 using cli::kLook;
 using cli::kOfPart;
+using cli::kOfTiles;
+using cli::kRequired;
 using cli::kResult;
 using cli::kText;
 using cli::kWork;
+using cli::with;
+using cli::within;
+using cli::without;
 
 /// Option of commands whose options are in an object of type Of.
 template <class Of>
 struct OptionRow {
     const char* names;  ///< "--jobs,-j"; without dashes: the words that are no option.
     const char* type;   ///< Kind of value in help; empty: the option takes no value.
-    const char* group;  ///< Heading in help.
     cli::Counts counts;
     const char* text;
     /// Adds the option, which stores its value in the object.
@@ -39,13 +44,13 @@ struct OptionRow {
     cli::Limits limits{};
 };
 
-/// Adds the options of a table to `command`, which reads into `options`.
+/// Adds the options of a table to `command`, which reads into `options`. `group`: heading in help.
 /// Requires: `options` outlives `command`.
 template <class Of>
-void add_rows(cli::App& command, std::span<const OptionRow<std::type_identity_t<Of>>> rows,
-              Of& options) {
+void add_rows(cli::App& command, const char* group,
+              std::span<const OptionRow<std::type_identity_t<Of>>> rows, Of& options) {
     for (const OptionRow<Of>& row : rows)
-        row.add(command, row, options)->describe(row.type, row.group, row.counts, row.limits);
+        row.add(command, row, options)->describe(row.type, group, row.counts, row.limits);
 }
 
 /// Word of the command line, and the value that it denotes.

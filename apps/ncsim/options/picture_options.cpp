@@ -9,11 +9,12 @@
 #include <charconv>
 #include <cstddef>
 #include <iterator>
-#include <string_view>
 
 namespace ncsim::app {
 
 namespace {
+
+using PictureArgs = PictureOptions;
 
 void read_size(const char* option, const std::string& text, PictureOptions& o) {
     const char* first = text.data();
@@ -84,31 +85,21 @@ MarkOptions read_marks(const char* option, const std::string& list) {
     return marks;
 }
 
-constexpr OptionRow<PictureOptions> kPictureRows[] = {
-    {"--view",
-     "VIEW",
-     "Pictures",
-     {.tile = true, .merge = true},
-     "iso, top, bottom, front, back, left, right [iso]",
-     read<&PictureOptions::views, read_view>},
-    {"--views",
-     "LIST",
-     "Pictures",
-     kLook,
-     "Sheet of several views: iso,top,front",
-     read<&PictureOptions::views, read_views>,
-     {.excludes = "--view"}},
-    {"--size", "WxH", "Pictures", kLook, "Size of each view, pixels [1280x960]", act<read_size>},
-    {"--background", "WHAT", "Pictures", kLook, "white or dark [white]",
-     choose<&PictureOptions::background, kBackgrounds>},
-    {"--marks", "MARKS", "Pictures", kLook, "axes, zero, scale, legend; all or none [all]",
-     read<&PictureOptions::marks, read_marks>},
-    {"--shade", "WHAT", "Pictures", kLook, "Darker pockets and holes: recesses, none [recesses]",
-     choose<&PictureOptions::shades_recesses, kShades>},
-    {"--see-through", "", "Pictures", kLook, "Draw the part transparent",
-     store<&PictureOptions::see_through>},
-    {"--cut-view", "x=N", "Pictures", kLook, "Cut part and fixtures open at x, y or z, mm",
-     read<&PictureOptions::cut_view, read_plane>}};
+constexpr OptionRow<PictureArgs> kPictureRows[] = {
+    {"--view", "VIEW", kOfTiles, "iso, top, bottom, front, back, left, right [iso]",
+     read<&PictureArgs::views, read_view>},
+    {"--views", "LIST", kLook, "Sheet of several views: iso,top,front",
+     read<&PictureArgs::views, read_views>, without("--view")},
+    {"--size", "WxH", kLook, "Size of each view, pixels [1280x960]", act<read_size>},
+    {"--background", "WHAT", kLook, "white or dark [white]",
+     choose<&PictureArgs::background, kBackgrounds>},
+    {"--marks", "MARKS", kLook, "axes, zero, scale, legend; all or none [all]",
+     read<&PictureArgs::marks, read_marks>},
+    {"--shade", "WHAT", kLook, "Darker pockets and holes: recesses, none [recesses]",
+     choose<&PictureArgs::shades_recesses, kShades>},
+    {"--see-through", "", kLook, "Draw the part transparent", store<&PictureArgs::see_through>},
+    {"--cut-view", "x=N", kLook, "Cut part and fixtures open at x, y or z, mm",
+     read<&PictureArgs::cut_view, read_plane>}};
 
 }  // namespace
 

@@ -19,16 +19,16 @@
 #include <filesystem>
 #include <functional>
 #include <iterator>
-#include <map>
 #include <set>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace ncsim::app {
 
 namespace {
+
+using ProgramArgs = ProgramOptions;
 
 toolpath::ToolSpec read_tool(const char* option, const std::string& text) {
     std::string message;
@@ -214,79 +214,69 @@ std::vector<std::string> inputs_of(const ProgramOptions& o) {
 
 namespace {
 
-constexpr OptionRow<ProgramOptions> kProgramRows[] = {{"program", "FILE", "", kWork,
-                                                       "NC program, or job file (.toml)",
-                                                       store<&ProgramOptions::program>}};
+constexpr OptionRow<ProgramArgs> kProgramRows[] = {
+    {"program", "FILE", kWork, "NC program, or job file (.toml)", store<&ProgramArgs::program>}};
 
-constexpr OptionRow<ProgramOptions> kLanguageRows[] = {
-    {"--job", "FILE", "Input", kResult, "Job file (TOML): tools, stock and set-up",
-     store<&ProgramOptions::job>},
-    {"--setup", "SETUP", "Input", kResult, "Set-up of the job, by number or name",
-     store<&ProgramOptions::set_up>},
-    {"--verbose", "", "Input", kResult, "Print the source of each setting: file and line",
-     store<&ProgramOptions::verbose>},
-    {"--no-project",
-     "",
-     "Input",
-     {.tile = true},
-     "Ignore ncsim.toml",
-     store<&ProgramOptions::no_project>},
-    {"--dialect", "NAME", "Input", kResult,
+constexpr OptionRow<ProgramArgs> kInputRows[] = {
+    {"--job", "FILE", kResult, "Job file (TOML): tools, stock and set-up",
+     store<&ProgramArgs::job>},
+    {"--setup", "SETUP", kResult, "Set-up of the job, by number or name",
+     store<&ProgramArgs::set_up>},
+    {"--verbose", "", kResult, "Print the source of each setting: file and line",
+     store<&ProgramArgs::verbose>},
+    {"--no-project", "", kInTiles, "Ignore ncsim.toml", store<&ProgramArgs::no_project>},
+    {"--dialect", "NAME", kResult,
      "Control: rs274, fanuc, haas, grbl, heidenhain, sinumerik … [auto]",
-     read<&ProgramOptions::dialect, read_dialect>},
-    {"--strict", "", "Input", kResult, "Refuse what LinuxCNC refuses",
-     store<&ProgramOptions::strict>},
-    {"--units", "UNIT", "Input", kResult, "Unit if the program has no G20 and no G21: mm, inch",
-     choose<&ProgramOptions::inches, kUnits>},
-    {"--start", "X,Y,Z", "Input", kResult, "Position of the tool at the start in G54, mm",
-     read<&ProgramOptions::start, read_triple>},
-    {"--variable", "NAME=VALUE", "Input", kResult, "Value of a variable at the start, as #500=1",
+     read<&ProgramArgs::dialect, read_dialect>},
+    {"--strict", "", kResult, "Refuse what LinuxCNC refuses", store<&ProgramArgs::strict>},
+    {"--units", "UNIT", kResult, "Unit if the program has no G20 and no G21: mm, inch",
+     choose<&ProgramArgs::inches, kUnits>},
+    {"--start", "X,Y,Z", kResult, "Position of the tool at the start in G54, mm",
+     read<&ProgramArgs::start, read_triple>},
+    {"--variable", "NAME=VALUE", kResult, "Value of a variable at the start, as #500=1",
      act<read_variables>},
-    {"--compensation", "D1=R", "Input", kResult,
-     "Radius of G41, G42 in register D1, mm; 0: wear only", act<read_compensation>},
-    {"--subprograms", "DIR", "Input", kResult, "Folder with subprograms, after the program's own",
-     store<&ProgramOptions::subprograms>},
-    {"--block-delete", "", "Input", kResult, "Skip blocks that start with '/': on, off",
-     store<&ProgramOptions::block_delete>},
-    {"--increments", "", "Input", kResult, "Read numbers without a point as 0.001 mm: on, off",
-     store<&ProgramOptions::increments>},
-    {"--allow", "WORDS", "Input", kResult, "Ignore these words without a message: G187,M198",
-     store_list<&ProgramOptions::allow>},
-    {"--tool", "TOOL", "Tools and stock", kResult, "Tool, as T1=flat:D10:L22 (below); repeatable",
-     act<read_tools>},
-    {"--tool-table", "FILE", "Tools and stock", kResult,
-     "Tools: tool.tbl, .json, .tools, .fctl, .hsmlib, .camotics",
-     store<&ProgramOptions::tool_tables>},
-    {"--holders", "FILE", "Tools and stock", kResult, "Tool holders (TOML)",
-     store<&ProgramOptions::holders>}};
+    {"--compensation", "D1=R", kResult, "Radius of G41, G42 in register D1, mm; 0: wear only",
+     act<read_compensation>},
+    {"--subprograms", "DIR", kResult, "Folder with subprograms, after the program's own",
+     store<&ProgramArgs::subprograms>},
+    {"--block-delete", "", kResult, "Skip blocks that start with '/': on, off",
+     store<&ProgramArgs::block_delete>},
+    {"--increments", "", kResult, "Read numbers without a point as 0.001 mm: on, off",
+     store<&ProgramArgs::increments>},
+    {"--allow", "WORDS", kResult, "Ignore these words without a message: G187,M198",
+     store_list<&ProgramArgs::allow>}};
 
-constexpr OptionRow<ProgramOptions> kSetUpRows[] = {
-    {"--assume-tool", "TOOL", "Tools and stock", kResult,
-     "Tool for all tools that are not described: flat:D6",
-     read<&ProgramOptions::assumed_tool, read_assumed_tool>},
-    {"--stock", "STOCK", "Tools and stock", kResult,
-     "LxWxH, DdxH (below), .stl, .obj, .glb, .wrl, .step, .ncstock",
-     read<&ProgramOptions::stock, read_stock>},
-    {"--stock-turn", "TURNS", "Tools and stock", kResult,
-     "Turn stock from a file about axes: X90,Z-37.5", read<&ProgramOptions::stock_turn, read_turn>},
-    {"--stock-move", "X,Y,Z", "Tools and stock", kResult,
-     "Move stock from a file, after --stock-turn, mm",
-     read<&ProgramOptions::stock_move, read_triple>},
-    {"--machine", "FILE", "Machine", kResult,
-     "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion", store<&ProgramOptions::machine>}};
+constexpr OptionRow<ProgramArgs> kToolRows[] = {
+    {"--tool", "TOOL", kResult, "Tool, as T1=flat:D10:L22 (below); repeatable", act<read_tools>},
+    {"--tool-table", "FILE", kResult, "Tools: tool.tbl, .json, .tools, .fctl, .hsmlib, .camotics",
+     store<&ProgramArgs::tool_tables>},
+    {"--holders", "FILE", kResult, "Tool holders (TOML)", store<&ProgramArgs::holders>}};
 
-constexpr OptionRow<ProgramOptions> kSaveJobRows[] = {{"--save-job", "FILE", "Outputs", kWork,
-                                                       "Tools, stock and set-up as a job file",
-                                                       store<&ProgramOptions::save_job>}};
+constexpr OptionRow<ProgramArgs> kStockRows[] = {
+    {"--assume-tool", "TOOL", kResult, "Tool for all tools that are not described: flat:D6",
+     read<&ProgramArgs::assumed_tool, read_assumed_tool>},
+    {"--stock", "STOCK", kResult, "LxWxH, DdxH (below), .stl, .obj, .glb, .wrl, .step, .ncstock",
+     read<&ProgramArgs::stock, read_stock>},
+    {"--stock-turn", "TURNS", kResult, "Turn stock from a file about axes: X90,Z-37.5",
+     read<&ProgramArgs::stock_turn, read_turn>},
+    {"--stock-move", "X,Y,Z", kResult, "Move stock from a file, after --stock-turn, mm",
+     read<&ProgramArgs::stock_move, read_triple>}};
 
-constexpr OptionRow<ProgramOptions> kReportUnitRows[] = {
-    {"--report-units", "UNIT", "Outputs", kResult,
-     "Unit of lengths in texts, pictures and CSV: mm, inch [mm]",
-     choose<&ProgramOptions::report_unit, kReportUnits>}};
+constexpr OptionRow<ProgramArgs> kMachineRows[] = {
+    {"--machine", "FILE", kResult, "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm, Fusion",
+     store<&ProgramArgs::machine>}};
 
-constexpr OptionRow<ProgramOptions> kWatchRows[] = {{"--watch", "", "Outputs", kWork,
-                                                     "Run again when a file changes that was read",
-                                                     store<&ProgramOptions::watch>}};
+constexpr OptionRow<ProgramArgs> kSaveJobRows[] = {{"--save-job", "FILE", kWork,
+                                                    "Tools, stock and set-up as a job file",
+                                                    store<&ProgramArgs::save_job>}};
+
+constexpr OptionRow<ProgramArgs> kReportUnitRows[] = {
+    {"--report-units", "UNIT", kResult, "Unit of lengths in texts, pictures and CSV: mm, inch [mm]",
+     choose<&ProgramArgs::report_unit, kReportUnits>}};
+
+constexpr OptionRow<ProgramArgs> kWatchRows[] = {{"--watch", "", kWork,
+                                                  "Run again when a file changes that was read",
+                                                  store<&ProgramArgs::watch>}};
 
 void read_tolerance(const char*, const double& mm, SimulationOptions& o) {
     o.tolerance = mm;
@@ -312,44 +302,23 @@ cli::Option* add_model(cli::App& command, const OptionRow<SimulationOptions>& ro
     return command.add_option_function<std::string>(row.names, take, text);
 }
 
+constexpr OptionRow<SimulationOptions> kAccuracyRows[] = {
+    {"--tolerance", "MM", kResult, "Deviation of arcs and rotary moves, mm [0.005]",
+     act<read_tolerance>, within(1e-4, 10.0)},
+    {"--tool-tolerance", "MM", kResult, "Deviation of round tools, mm [0.05]",
+     act<read_tool_tolerance>, within(1e-4, 10.0)}};
+
 template <Models Offered>
-constexpr OptionRow<SimulationOptions> kSimulationRows[] = {
-    {"--tolerance",
-     "MM",
-     "Accuracy",
-     kResult,
-     "Deviation of arcs and rotary moves, mm [0.005]",
-     act<read_tolerance>,
-     {1e-4, 10.0}},
-    {"--tool-tolerance",
-     "MM",
-     "Accuracy",
-     kResult,
-     "Deviation of round tools, mm [0.05]",
-     act<read_tool_tolerance>,
-     {1e-4, 10.0}},
-    {"--model", "NAME", "Accuracy", kResult, "Workpiece model", add_model<Offered>},
-    {"--threads",
-     "N",
-     "Advanced",
-     kOfPart,
-     "Number of threads; no effect on results",
-     store<&SimulationOptions::threads>,
-     {1, 1024}},
-    {"--max-memory",
-     "GB",
-     "Advanced",
-     kLimit,
-     "Stop with a message above this, GB",
-     store<&SimulationOptions::max_memory_gb>,
-     {1e-6, 1e9}},
-    {"--max-time",
-     "S",
-     "Advanced",
-     kLimit,
-     "Stop with a message after this, s a program",
-     store<&SimulationOptions::max_seconds>,
-     {1e-6, 1e9}}};
+constexpr OptionRow<SimulationOptions> kModelRow{"--model", "NAME", kResult, "Workpiece model",
+                                                 add_model<Offered>};
+
+constexpr OptionRow<SimulationOptions> kAdvancedRows[] = {
+    {"--threads", "N", kOfPart, "Number of threads; no effect on results",
+     store<&SimulationOptions::threads>, within(1, 1024)},
+    {"--max-memory", "GB", kLimit, "Stop with a message above this, GB",
+     store<&SimulationOptions::max_memory_gb>, within(1e-6, 1e9)},
+    {"--max-time", "S", kLimit, "Stop with a message after this, s a program",
+     store<&SimulationOptions::max_seconds>, within(1e-6, 1e9)}};
 
 }  // namespace
 
@@ -361,37 +330,40 @@ std::string any_of(const std::vector<std::string>& words) {
 }
 
 void add_program_options(cli::App& command, ProgramOptions& options) {
-    add_rows(command, kProgramRows, options);
+    add_rows(command, "", kProgramRows, options);
     add_language_options(command, options);
 }
 
 void add_language_options(cli::App& command, ProgramOptions& options) {
-    add_rows(command, kLanguageRows, options);
+    add_rows(command, "Input", kInputRows, options);
+    add_rows(command, "Tools and stock", kToolRows, options);
 }
 
 void add_setup_options(cli::App& command, ProgramOptions& options) {
-    add_rows(command, kSetUpRows, options);
+    add_rows(command, "Tools and stock", kStockRows, options);
+    add_rows(command, "Machine", kMachineRows, options);
 }
 
 void add_save_job(cli::App& command, ProgramOptions& options) {
-    add_rows(command, kSaveJobRows, options);
+    add_rows(command, "Outputs", kSaveJobRows, options);
 }
 
 void add_report_unit(cli::App& command, ProgramOptions& options) {
-    add_rows(command, kReportUnitRows, options);
+    add_rows(command, "Outputs", kReportUnitRows, options);
 }
 
 void add_watch(cli::App& command, ProgramOptions& options) {
-    add_rows(command, kWatchRows, options);
+    add_rows(command, "Outputs", kWatchRows, options);
 }
 
 void add_simulation_options(cli::App& command, SimulationOptions& options, Models models) {
-    switch (models) {
-        case Models::All: return add_rows(command, kSimulationRows<Models::All>, options);
-        case Models::Exact: return add_rows(command, kSimulationRows<Models::Exact>, options);
-        case Models::Verifying:
-            return add_rows(command, kSimulationRows<Models::Verifying>, options);
-    }
+    const OptionRow<SimulationOptions>& model = models == Models::All ? kModelRow<Models::All>
+                                                : models == Models::Exact
+                                                    ? kModelRow<Models::Exact>
+                                                    : kModelRow<Models::Verifying>;
+    add_rows(command, "Accuracy", kAccuracyRows, options);
+    add_rows(command, "Accuracy", std::span(&model, 1), options);
+    add_rows(command, "Advanced", kAdvancedRows, options);
 }
 
 std::vector<std::string> words_of(const cli::App& command,

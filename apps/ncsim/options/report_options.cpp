@@ -7,22 +7,21 @@ namespace ncsim::app {
 
 namespace {
 
-constexpr OptionRow<ReportOptions> kReportRows[] = {
-    {"--json", "FILE", "Outputs", kWork, "Verdicts, findings and doubts, JSON",
-     store<&ReportOptions::json>},
-    {"--sarif", "FILE", "Outputs", kWork, "Findings and doubts, SARIF 2.1.0",
-     store<&ReportOptions::sarif>},
-    {"--junit", "FILE", "Outputs", kWork, "Suite per program, case per rule, JUnit XML",
-     store<&ReportOptions::junit>},
-    {"--write-baseline", "FILE", "Outputs", kWork,
-     "Findings of this run as known ones, for --baseline", store<&ReportOptions::write_baseline>},
-    {"--github", "", "Outputs", kWork, "Findings as annotations of GitHub Actions",
-     store<&ReportOptions::github>},
-    {"--exit-zero", "", "Outputs", kWork, "Exit with 0 despite findings and doubts",
-     store<&ReportOptions::exit_zero>},
-    {"--notes", "", "Outputs", kText, "Print notes, too", store<&ReportOptions::notes>},
-    {"--quiet,-q", "", "Outputs", kText, "Print findings and doubts only",
-     store<&ReportOptions::quiet>}};
+using ReportArgs = ReportOptions;
+
+constexpr OptionRow<ReportArgs> kReportRows[] = {
+    {"--json", "FILE", kWork, "Verdicts, findings and doubts, JSON", store<&ReportArgs::json>},
+    {"--sarif", "FILE", kWork, "Findings and doubts, SARIF 2.1.0", store<&ReportArgs::sarif>},
+    {"--junit", "FILE", kWork, "Suite per program, case per rule, JUnit XML",
+     store<&ReportArgs::junit>},
+    {"--write-baseline", "FILE", kWork, "Findings of this run as known ones, for --baseline",
+     store<&ReportArgs::write_baseline>},
+    {"--github", "", kWork, "Findings as annotations of GitHub Actions",
+     store<&ReportArgs::github>},
+    {"--exit-zero", "", kWork, "Exit with 0 despite findings and doubts",
+     store<&ReportArgs::exit_zero>},
+    {"--notes", "", kText, "Print notes, too", store<&ReportArgs::notes>},
+    {"--quiet,-q", "", kText, "Print findings and doubts only", store<&ReportArgs::quiet>}};
 
 }  // namespace
 

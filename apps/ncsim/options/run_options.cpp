@@ -3,7 +3,6 @@
 // Reads the options of `ncsim run`.
 #include "options/run_options.h"
 
-#include "ncsim/cda/tiles.h"
 #include "ncsim/simulation/models.h"
 
 #include <fmt/format.h>
@@ -13,6 +12,8 @@
 namespace ncsim::app {
 
 namespace {
+
+using RunArgs = Options;
 
 constexpr Choice<exporter::Renderer> kRenderers[] = {{"own", exporter::Renderer::Own},
                                                      {"osmesa", exporter::Renderer::Osmesa}};
@@ -125,172 +126,113 @@ bool needs_surface(const Options& o) {
 
 namespace {
 
-constexpr OptionRow<Options> kRunOutputs[] = {
-    {"--png", "FILE", "Outputs", kOfPart, "Picture of the part", store<&Options::png>},
-    {"--gif", "FILE", "Outputs", kWork, "Animation of the cutting", store<&Options::gif>},
-    {"--apng", "FILE", "Outputs", kWork, "Animation in all colours, APNG", store<&Options::apng>},
-    {"--frames", "DIR", "Outputs", kWork, "Numbered pictures of the cutting",
-     store<&Options::frames>},
-    {"--html", "FILE", "Outputs", kWork, "Page on which the program plays; loads nothing",
-     store<&Options::html>},
-    {"--every",
-     "N",
-     "Outputs",
-     kLook,
-     "Moves per frame [as many as make 100 frames]",
-     store<&Options::every>,
-     {1, 1e9}},
-    {"--gltf", "FILE", "Outputs", kOfPart, "Mesh with the NC line of each face, binary glTF",
-     store<&Options::gltf>},
-    {"--vrml", "FILE", "Outputs", kOfPart, "Mesh with the NC line of each face, VRML97",
-     store<&Options::vrml>},
-    {"--ply", "FILE", "Outputs", kOfPart, "Mesh with the NC line of each face, PLY",
-     store<&Options::ply>},
-    {"--stl", "FILE", "Outputs", kOfPart, "Mesh, binary STL", store<&Options::stl>},
-    {"--3mf", "FILE", "Outputs", kOfPart, "Mesh with a material per tool, 3MF",
-     store<&Options::threemf>},
-    {"--section", "z=N", "Outputs", kLook, "Plane of a section at x, y or z, mm; repeatable",
+constexpr OptionRow<RunArgs> kRunOutputs[] = {
+    {"--png", "FILE", kOfPart, "Picture of the part", store<&RunArgs::png>},
+    {"--gif", "FILE", kWork, "Animation of the cutting", store<&RunArgs::gif>},
+    {"--apng", "FILE", kWork, "Animation in all colours, APNG", store<&RunArgs::apng>},
+    {"--frames", "DIR", kWork, "Numbered pictures of the cutting", store<&RunArgs::frames>},
+    {"--html", "FILE", kWork, "Page on which the program plays; loads nothing",
+     store<&RunArgs::html>},
+    {"--every", "N", kLook, "Moves per frame [as many as make 100 frames]", store<&RunArgs::every>,
+     within(1, 1e9)},
+    {"--gltf", "FILE", kOfPart, "Mesh with the NC line of each face, binary glTF",
+     store<&RunArgs::gltf>},
+    {"--vrml", "FILE", kOfPart, "Mesh with the NC line of each face, VRML97",
+     store<&RunArgs::vrml>},
+    {"--ply", "FILE", kOfPart, "Mesh with the NC line of each face, PLY", store<&RunArgs::ply>},
+    {"--stl", "FILE", kOfPart, "Mesh, binary STL", store<&RunArgs::stl>},
+    {"--3mf", "FILE", kOfPart, "Mesh with a material per tool, 3MF", store<&RunArgs::threemf>},
+    {"--section", "z=N", kLook, "Plane of a section at x, y or z, mm; repeatable",
      act<read_sections>},
-    {"--dxf", "FILE", "Outputs", kWork, "Sections as lines and arcs, DXF R12",
-     store<&Options::dxf>},
-    {"--svg", "FILE", "Outputs", kWork, "Sections as lines and arcs, SVG", store<&Options::svg>},
-    {"--save-stock", "FILE", "Outputs", kWork, "Part as stock of the next set-up, .ncstock",
-     store<&Options::save_stock>},
-    {"--report", "FILE", "Outputs", kOfPart, "Volumes, distances, times, JSON",
-     store<&Options::report>},
-    {"--block-volumes",
-     "",
-     "Outputs",
-     kLook,
-     "Volume that each block removes, in --report; slower",
-     store<&Options::block_volumes>,
-     {.needs = "--report"}},
-    {"--quiet,-q", "", "Outputs", kText, "Print errors and warnings only", store<&Options::quiet>}};
+    {"--dxf", "FILE", kWork, "Sections as lines and arcs, DXF R12", store<&RunArgs::dxf>},
+    {"--svg", "FILE", kWork, "Sections as lines and arcs, SVG", store<&RunArgs::svg>},
+    {"--save-stock", "FILE", kWork, "Part as stock of the next set-up, .ncstock",
+     store<&RunArgs::save_stock>},
+    {"--report", "FILE", kOfPart, "Volumes, distances, times, JSON", store<&RunArgs::report>},
+    {"--block-volumes", "", kLook, "Volume that each block removes, in --report; slower",
+     store<&RunArgs::block_volumes>, with("--report")},
+    {"--quiet,-q", "", kText, "Print errors and warnings only", store<&RunArgs::quiet>}};
 
-constexpr OptionRow<Options> kStepRows[] = {
-    {"--step", "FILE", "STEP", kWork, "Solid with planes, cylinders, cones etc. for CAD",
-     store<&Options::step>},
-    {"--step-surfaces", "WHAT", "STEP", kLook, "analytic or faceted [analytic]",
-     choose<&Options::step_surfaces, kStepSurfaces>},
-    {"--step-refine",
-     "N",
-     "STEP",
-     kLook,
-     "Cut up to N times more, without limit of work",
-     store<&Options::step_refine>,
-     {0, 6}},
-    {"--step-strict", "", "STEP", kLook, "Exit with 2 if round surfaces remain facets",
-     store<&Options::step_strict>},
-    {"--step-schema", "WHAT", "STEP", kLook, "ap242, or ap214 for older readers [ap242]",
-     choose<&Options::step_schema, kStepSchemas>},
-    {"--step-attributes", "", "STEP", kLook, "Line, tool and kind of each face",
-     store<&Options::step_attributes>},
-    {"--step-max-faces",
-     "N",
-     "STEP",
-     kLook,
-     "Refuse larger solids [100000]",
-     store<&Options::step_max_faces>,
-     {1, 1e9}}};
+constexpr OptionRow<RunArgs> kStepRows[] = {
+    {"--step", "FILE", kWork, "Solid with planes, cylinders, cones etc. for CAD",
+     store<&RunArgs::step>},
+    {"--step-surfaces", "WHAT", kLook, "analytic or faceted [analytic]",
+     choose<&RunArgs::step_surfaces, kStepSurfaces>},
+    {"--step-refine", "N", kLook, "Cut up to N times more, without limit of work",
+     store<&RunArgs::step_refine>, within(0, 6)},
+    {"--step-strict", "", kLook, "Exit with 2 if round surfaces remain facets",
+     store<&RunArgs::step_strict>},
+    {"--step-schema", "WHAT", kLook, "ap242, or ap214 for older readers [ap242]",
+     choose<&RunArgs::step_schema, kStepSchemas>},
+    {"--step-attributes", "", kLook, "Line, tool and kind of each face",
+     store<&RunArgs::step_attributes>},
+    {"--step-max-faces", "N", kLook, "Refuse larger solids [100000]",
+     store<&RunArgs::step_max_faces>, within(1, 1e9)}};
 static_assert(exporter::kStepMaxFaces == 100'000);
 
-constexpr OptionRow<Options> kRunPictures[] = {
-    {"--colour", "WHAT", "Pictures", kLook, "Meaning of colours: tool, line, depth, design [tool]",
-     choose<&Options::colouring, kColourings>},
-    {"--design", "FILE", "Pictures", kLook,
-     "Design of --colour design: STL (mm), GLB or STEP in G54", store<&Options::design>},
-    {"--design-tol", "MM", "Pictures", kLook, "Permitted deviation, mm [0.1]",
-     store<&Options::design_tolerance>, kDesignTolerances},
-    {"--show-path", "", "Pictures", kLook, "Draw the tool path, rapid moves dashed",
-     store<&Options::shows_path>},
-    {"--show-tool", "", "Pictures", kLook, "Draw the tool", store<&Options::shows_tool>},
-    {"--show-fixtures", "", "Pictures", kLook, "Draw vises, clamps and other fixtures",
-     store<&Options::shows_fixtures>},
-    {"--caption", "", "Pictures", kLook, "Print size, removed volume and time",
-     store<&Options::has_caption>},
-    {"--show-machine", "", "Pictures", kLook, "Draw the machine; in --gltf and --vrml it moves",
-     store<&Options::shows_machine>},
-    {"--frame",
-     "WHAT",
-     "Pictures",
-     kLook,
-     "Fixed frame of --show-machine: machine, part [machine]",
-     choose<&Options::fixed_body, kFrames>,
-     {.needs = "--show-machine"}},
-    {"--transparent",
-     "LINKS",
-     "Pictures",
-     kLook,
-     "Links of the machine to look through, by name",
-     store_list<&Options::transparent>,
-     {.needs = "--show-machine"}},
-    {"--at-line",
-     "N",
-     "Pictures",
-     kResult,
-     "Stop after line N of the program",
-     store<&Options::at_line>,
-     {1, 1e9}},
-    {"--draft", "", "Pictures", kResult, "Quick first look: guess tools, mark the picture",
-     store<&Options::draft>},
-    {"--renderer", "NAME", "Pictures", kLook, "own (same bytes everywhere) or osmesa [own]",
-     choose<&Options::renderer, kRenderers>}};
+constexpr OptionRow<RunArgs> kRunPictures[] = {
+    {"--colour", "WHAT", kLook, "Meaning of colours: tool, line, depth, design [tool]",
+     choose<&RunArgs::colouring, kColourings>},
+    {"--design", "FILE", kLook, "Design of --colour design: STL (mm), GLB or STEP in G54",
+     store<&RunArgs::design>},
+    {"--design-tol", "MM", kLook, "Permitted deviation, mm [0.1]",
+     store<&RunArgs::design_tolerance>, kDesignTolerances},
+    {"--show-path", "", kLook, "Draw the tool path, rapid moves dashed",
+     store<&RunArgs::shows_path>},
+    {"--show-tool", "", kLook, "Draw the tool", store<&RunArgs::shows_tool>},
+    {"--show-fixtures", "", kLook, "Draw vises, clamps and other fixtures",
+     store<&RunArgs::shows_fixtures>},
+    {"--caption", "", kLook, "Print size, removed volume and time", store<&RunArgs::has_caption>},
+    {"--show-machine", "", kLook, "Draw the machine; in --gltf and --vrml it moves",
+     store<&RunArgs::shows_machine>},
+    {"--frame", "WHAT", kLook, "Fixed frame of --show-machine: machine, part [machine]",
+     choose<&RunArgs::fixed_body, kFrames>, with("--show-machine")},
+    {"--transparent", "LINKS", kLook, "Links of the machine to look through, by name",
+     store_list<&RunArgs::transparent>, with("--show-machine")},
+    {"--at-line", "N", kResult, "Stop after line N of the program", store<&RunArgs::at_line>,
+     within(1, 1e9)},
+    {"--draft", "", kResult, "Quick first look: guess tools, mark the picture",
+     store<&RunArgs::draft>},
+    {"--renderer", "NAME", kLook, "own (same bytes everywhere) or osmesa [own]",
+     choose<&RunArgs::renderer, kRenderers>}};
 
-constexpr OptionRow<Options> kRunAccuracy[] = {
-    {"--simplify",
-     "TOL",
-     "Accuracy",
-     {.tile = true, .merge = true},
-     "Merge faces of meshes and solids within TOL mm",
+constexpr OptionRow<RunArgs> kRunAccuracy[] = {
+    {"--simplify", "TOL", kOfTiles, "Merge faces of meshes and solids within TOL mm",
      act<read_simplify>},
-    {"--resolution",
-     "MM",
-     "Accuracy",
-     kResult,
-     "Distance of the rays of dexel, mm [1/250 of the stock]",
-     store<&Options::resolution>,
-     {1e-4, 1e4}},
-    {"--rays", "WHAT", "Accuracy", kResult, "Rays of dexel: z (faster), xyz [by tools and moves]",
-     choose<&Options::rays, kRays>}};
+    {"--resolution", "MM", kResult, "Distance of the rays of dexel, mm [1/250 of the stock]",
+     store<&RunArgs::resolution>, within(1e-4, 1e4)},
+    {"--rays", "WHAT", kResult, "Rays of dexel: z (faster), xyz [by tools and moves]",
+     choose<&RunArgs::rays, kRays>}};
 
-constexpr OptionRow<Options> kRunAdvanced[] = {
-    {"--tile", "I/N", "Advanced", kWork,
-     "Cut tile I of N only, from 0, for ncsim merge; auto: as CI says", store<&Options::tile>},
-    {"--tile-out", "DIR", "Advanced", kWork, "Folder for the result of a tile",
-     store<&Options::tile_out>},
-    {"--stats", "FILE", "Advanced", kWork, "Cost of each hull, CSV (cda-flat)",
-     store<&Options::stats>},
-    {"--xml", "FILE", "Advanced", kWork, "Cells of the workpiece, XML (cda-flat)",
-     store<&Options::xml>}};
+constexpr OptionRow<RunArgs> kRunAdvanced[] = {
+    {"--tile", "I/N", kWork, "Cut tile I of N only, from 0, for ncsim merge; auto: as CI says",
+     store<&RunArgs::tile>},
+    {"--tile-out", "DIR", kWork, "Folder for the result of a tile", store<&RunArgs::tile_out>},
+    {"--stats", "FILE", kWork, "Cost of each hull, CSV (cda-flat)", store<&RunArgs::stats>},
+    {"--xml", "FILE", kWork, "Cells of the workpiece, XML (cda-flat)", store<&RunArgs::xml>}};
 
 }  // namespace
 
 void add_options(cli::App& run, Options& o) {
     add_program_options(run, o);
     add_setup_options(run, o);
-    add_rows(run, kRunOutputs, o);
+    add_rows(run, "Outputs", kRunOutputs, o);
     add_save_job(run, o);
     add_report_unit(run, o);
     add_watch(run, o);
-    add_rows(run, kStepRows, o);
-    add_rows(run, picture_options(), static_cast<PictureOptions&>(o));
-    add_rows(run, kRunPictures, o);
+    add_rows(run, "STEP", kStepRows, o);
+    add_rows(run, "Pictures", picture_options(), static_cast<PictureOptions&>(o));
+    add_rows(run, "Pictures", kRunPictures, o);
     add_simulation_options(run, o, Models::All);
-    add_rows(run, kRunAccuracy, o);
-    add_rows(run, kRunAdvanced, o);
+    add_rows(run, "Accuracy", kRunAccuracy, o);
+    add_rows(run, "Advanced", kRunAdvanced, o);
 }
 
 namespace {
 
 void complete_tile(Options& o) {
-    if (o.tile.empty() != o.tile_out.empty()) {
-        throw Refusal{o.tile.empty() ? "--tile-out: of which tile? --tile I/N"
-                                     : "--tile: where to is its result to go? --tile-out DIR"};
-    }
+    o.number = tile_number(o.tile, o.tile_out);
     if (o.tile.empty()) return;
-    o.number = shard_number(o.tile, "--tile");
-    if (o.number.of > cda::kMostTiles)
-        throw Refusal{fmt::format("--tile '{}': {} tiles at most", o.tile, cda::kMostTiles)};
     if (!outputs_of(o).empty() || !o.frames.empty())
         throw Refusal{"--tile: pictures, meshes and reports are written by ncsim merge"};
     if (o.program == "-") throw Refusal{"--tile: the program has to have a name"};

@@ -4,6 +4,7 @@
 #include "options/shard_number.h"
 
 #include "ncsim/base/number_text.h"
+#include "ncsim/cda/tile_number.h"
 
 #include "options/refusal.h"
 
@@ -61,6 +62,18 @@ ShardNumber shard_number(const std::string& text, const char* option) {
             fmt::format("{} '{}': expected i/n with i from 0 to n-1, or auto", option, text)};
     }
     return {*shard, *count};
+}
+
+ShardNumber tile_number(const std::string& tile, const std::string& folder) {
+    if (tile.empty() != folder.empty()) {
+        throw Refusal{tile.empty() ? "--tile-out: of which tile? --tile I/N"
+                                   : "--tile: where to is its result to go? --tile-out DIR"};
+    }
+    if (tile.empty()) return {};
+    const ShardNumber number = shard_number(tile, "--tile");
+    if (number.of > cda::kMostTiles)
+        throw Refusal{fmt::format("--tile '{}': {} tiles at most", tile, cda::kMostTiles)};
+    return number;
 }
 
 }  // namespace ncsim::app

@@ -17,4 +17,8 @@ struct ShardNumber {
 /// name of the option in messages. Throws: Refusal.
 ShardNumber shard_number(const std::string& text, const char* option);
 
+/// Checks --tile and --tile-out, and parses --tile; the whole part if both are empty.
+/// Throws: Refusal.
+ShardNumber tile_number(const std::string& tile, const std::string& folder);
+
 }  // namespace ncsim::app

@@ -4,7 +4,6 @@
 #include "run/outcome.h"
 
 #include <algorithm>
-#include <string>
 
 namespace ncsim::app {
 

@@ -12,10 +12,10 @@
 #include "ncsim/base/parallel.h"
 
 #include "cell_components.h"
+#include "crossings.h"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <map>
@@ -30,53 +30,6 @@ namespace ncsim::dexel {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
-// indices of a grid corner, or of the cell that begins there
-using Place = std::array<std::size_t, 3>;
-
-// A bit for each corner of the grid, columns along z in sequence.
-class Signs {
-public:
-    Signs(const Grid& grid, const Rays& along_z, std::size_t threads)
-        : columns_y_(grid.axes[1].corners()),
-          words_((grid.axes[2].corners() + 63) / 64),
-          bits_(grid.axes[0].corners() * columns_y_ * words_, 0) {
-        const Runs runs(grid.axes[0].corners(), 8);
-        in_parallel(threads, runs.tasks(), [&](std::size_t task) {
-            for (std::size_t x = runs.begin(task); x < runs.end(task); ++x) {
-                for (std::size_t y = 0; y < columns_y_; ++y)
-                    mark(along_z(x, y), grid.axes[2], &bits_[(x * columns_y_ + y) * words_]);
-            }
-        });
-    }
-
-    std::size_t words() const { return words_; }
-    const std::uint64_t* column(std::size_t x, std::size_t y) const {
-        return &bits_[(x * columns_y_ + y) * words_];
-    }
-    bool operator()(const Place& p) const {
-        return (column(p[0], p[1])[p[2] / 64] >> p[2] % 64 & 1) != 0;
-    }
-
-private:
-    static void mark(const Ray& ray, const GridAxis& z, std::uint64_t* bits) {
-        for (const Interval& interval : ray.intervals()) {
-            const std::size_t end = z.from(interval.high.at);
-            for (std::size_t k = z.from(interval.low.at); k < end; ++k)
-                bits[k / 64] |= std::uint64_t{1} << k % 64;
-        }
-    }
-
-    std::size_t columns_y_, words_;
-    std::vector<std::uint64_t> bits_;
-};
-
-// The point where the surface crosses an edge of the grid.
-struct Crossing {
-    double at = 0.0;  // along the edge, units
-    Vec3 normal;
-    cda::Origin origin = cda::kStockOrigin;
-    bool operator==(const Crossing&) const = default;
-};
 
 // Least-squares solver: the point nearest to the planes, and to the mean of the points in
 // undetermined directions.
@@ -112,15 +65,17 @@ private:
     std::size_t count_ = 0;
 };
 
+Place corner_at(const Place& cell, int corner) {
+    return {cell[0] + static_cast<std::size_t>(corner & 1),
+            cell[1] + static_cast<std::size_t>(corner >> 1 & 1),
+            cell[2] + static_cast<std::size_t>(corner >> 2 & 1)};
+}
+
 class Contouring {
 public:
     Contouring(const Grid& grid, const std::array<Rays, 3>& rays, const CuttingCell& stock,
                std::size_t threads)
-        : grid_(grid),
-          rays_(rays),
-          stock_(stock),
-          threads_(threads),
-          signs_(grid, rays[2], threads) {}
+        : grid_(grid), threads_(threads), crossings_(grid, rays, stock, threads) {}
 
     void run() {
         place_corners();
@@ -148,8 +103,8 @@ public:
             const auto [at, is_new] =
                 on_edge.try_emplace(key, static_cast<std::uint32_t>(points.size()));
             if (is_new) {
-                Vec3 point = point_of(from);
-                point[static_cast<int>(axis)] = crossing_at(from, axis).at;
+                Vec3 point = crossings_.point_of(from);
+                point[static_cast<int>(axis)] = crossings_.at(from, axis).at;
                 points.push_back(point);
             }
             return at->second;
@@ -166,7 +121,7 @@ public:
                                                         static_cast<std::size_t>(edge / 4)));
                         const Place from = corner_at(cell, first_corner(loop.front()));
                         const cda::Origin origin =
-                            crossing_at(from, static_cast<std::size_t>(loop.front() / 4)).origin;
+                            crossings_.at(from, static_cast<std::size_t>(loop.front() / 4)).origin;
                         for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
                             triangles.push_back({corners[0], corners[k], corners[k + 1]});
                             origins.push_back(origin);
@@ -244,10 +199,10 @@ private:
         for (std::size_t y = 0; y < grid_.axes[1].cells(); ++y) {
             const std::size_t before = slab.cells.size();
             const std::array<const std::uint64_t*, 4> columns{
-                signs_.column(x, y), signs_.column(x + 1, y), signs_.column(x, y + 1),
-                signs_.column(x + 1, y + 1)};
+                crossings_.signs().column(x, y), crossings_.signs().column(x + 1, y),
+                crossings_.signs().column(x, y + 1), crossings_.signs().column(x + 1, y + 1)};
             std::uint64_t any_below = 0, all_below = 0;  // last corner of the previous word
-            for (std::size_t w = 0; w < signs_.words(); ++w) {
+            for (std::size_t w = 0; w < crossings_.signs().words(); ++w) {
                 const std::uint64_t any =
                     columns[0][w] | columns[1][w] | columns[2][w] | columns[3][w];
                 const std::uint64_t all =
@@ -308,7 +263,7 @@ private:
             const auto crossing = [&](int e) -> const Crossing& {
                 const Place from = corner_at(at, first_corner(e));
                 const auto axis = static_cast<std::size_t>(e / 4);
-                return known.get(from, axis, [&] { return crossing_at(from, axis); });
+                return known.get(from, axis, [&] { return crossings_.at(from, axis); });
             };
             return !is_crossed(pair.first) || crossing(pair.first) == crossing(pair.second);
         });
@@ -317,7 +272,7 @@ private:
     void add_cell(Slab& slab, KnownCrossings& known, const Place& at) const {
         std::uint8_t inside = 0;
         for (int corner = 0; corner < 8; ++corner) {
-            if (signs_(corner_at(at, corner)))
+            if (crossings_.signs()(corner_at(at, corner)))
                 inside = static_cast<std::uint8_t>(inside | 1 << corner);
         }
         const CellComponents& components = components_of(inside);
@@ -331,23 +286,13 @@ private:
                 const auto axis = static_cast<std::size_t>(e / 4);
                 const Place from = corner_at(at, first_corner(e));
                 const Crossing& crossing =
-                    known.get(from, axis, [&] { return crossing_at(from, axis); });
-                Vec3 point = point_of(from);
+                    known.get(from, axis, [&] { return crossings_.at(from, axis); });
+                Vec3 point = crossings_.point_of(from);
                 point[e / 4] = crossing.at;
                 nearest.add(point, crossing.normal);
             }
             slab.points.push_back(clamped(nearest.solve(), at));
         }
-    }
-
-    static Place corner_at(const Place& cell, int corner) {
-        return {cell[0] + static_cast<std::size_t>(corner & 1),
-                cell[1] + static_cast<std::size_t>(corner >> 1 & 1),
-                cell[2] + static_cast<std::size_t>(corner >> 2 & 1)};
-    }
-    Vec3 point_of(const Place& corner) const {
-        return {grid_.axes[0].at[corner[0]], grid_.axes[1].at[corner[1]],
-                grid_.axes[2].at[corner[2]]};
     }
 
     // Clamps to the interior of the cell, so that vertices of two cells never coincide.
@@ -361,122 +306,6 @@ private:
             p[axis] = std::clamp(p[axis], low + margin, high - margin);
         }
         return p;
-    }
-
-    // Returns the crossing on the edge from this corner along the axis; exactly one end is in the
-    // material. If no ray end is on the edge, because all rays are rounded, returns the middle.
-    Crossing crossing_at(const Place& from, std::size_t axis) const {
-        const std::vector<double>& at = grid_.axes[axis].at;
-        const double low = at[from[axis]];
-        const double high = at[from[axis] + 1];
-        const bool enters = !signs_(from);  // going up
-        if (rays_[axis].rows() == 0) return crossing_between(from, axis, enters);
-        if (const End* end = end_on(from, axis, enters))
-            return {static_cast<double>(end->at), end->normal.unpacked(), end->origin};
-        Crossing crossing{0.5 * (low + high), {}, cda::kStockOrigin};
-        crossing.normal[static_cast<int>(axis)] = enters ? -1.0 : 1.0;
-        return crossing;
-    }
-
-    // Returns crossing_at().origin at lower cost.
-    cda::Origin origin_at(const Place& from, std::size_t axis) const {
-        const bool enters = !signs_(from);
-        if (rays_[axis].rows() == 0) return crossing_between(from, axis, enters).origin;
-        const End* end = end_on(from, axis, enters);
-        return end ? end->origin : cda::kStockOrigin;
-    }
-
-    // Returns the end of the last interval that begins on the edge, or of the first that ends
-    // there.
-    const End* end_on(const Place& from, std::size_t axis, bool enters) const {
-        const double low = grid_.axes[axis].at[from[axis]];
-        const double high = grid_.axes[axis].at[from[axis] + 1];
-        const Rays& rays = rays_[axis];
-        const auto intervals = rays(from[rays.u_axis()], from[rays.v_axis()]).intervals();
-        if (enters) {
-            const auto beyond = std::ranges::lower_bound(
-                intervals, high, {}, [](const Interval& i) { return double(i.low.at); });
-            if (beyond != intervals.begin() && low < std::prev(beyond)->low.at)
-                return &std::prev(beyond)->low;
-        } else {
-            const auto first = std::ranges::upper_bound(
-                intervals, low, {}, [](const Interval& i) { return double(i.high.at); });
-            if (first != intervals.end() && first->high.at < high) return &first->high;
-        }
-        return nullptr;
-    }
-
-    // Returns the crossing from the rays along z at both corners of the edge.
-    Crossing crossing_between(const Place& from, std::size_t axis, bool enters) const {
-        const auto a = static_cast<int>(axis);
-        const std::vector<double>& at = grid_.axes[axis].at;
-        const double low = at[from[axis]], high = at[from[axis] + 1];
-        Place to = from;
-        ++to[axis];
-        const Place& inner = enters ? to : from;
-        const Place& outer = enters ? from : to;
-        const double z = grid_.axes[2].at[from[2]];
-        const auto ends = [&](const Place& p) { return rays_[2](p[0], p[1]).intervals(); };
-        // If a corner is outside of the stock, only the stock's surface is between the corners.
-        if (ends(outer).empty()) {
-            if (const auto wall = crossing_of_stock(from, axis, enters)) return *wall;
-        }
-        // Otherwise the plane at the nearest end determines the crossing, where the plane meets the
-        // edge's line on the edge or up to half an edge beyond.
-        std::optional<Crossing> nearest;
-        double least = 1.5 * (high - low);
-        cda::Origin origin = cda::kStockOrigin;
-        const auto look = [&](const End& end, const Place& column) {
-            const Vec3 n = end.normal.unpacked();
-            if (n[a] == 0.0 || (n[a] > 0.0) == enters) return;
-            const double away = (end.at - z) * n.z / n[a];
-            const double place = at[column[axis]] + away;
-            if (std::abs(away) >= least || place < low - 0.5 * (high - low) ||
-                place > high + 0.5 * (high - low))
-                return;
-            least = std::abs(away);
-            nearest = Crossing{std::clamp(place, low, high), n, end.origin};
-        };
-        for (const Interval& interval : ends(inner)) {
-            if (z < interval.low.at || interval.high.at < z) continue;
-            look(interval.high, inner);
-            look(interval.low, inner);
-            origin = std::max(interval.low.origin, interval.high.origin);
-        }
-        const End* below = nullptr;
-        const End* above = nullptr;
-        for (const Interval& interval : ends(outer)) {
-            if (interval.high.at < z) below = &interval.high;
-            if (interval.low.at > z && !above) above = &interval.low;
-        }
-        for (const End* end : {below, above}) {
-            if (!end) continue;
-            look(*end, outer);
-            origin = std::max(origin, end->origin);
-        }
-        if (nearest) return *nearest;
-        Crossing wall{0.5 * (low + high), {}, origin};
-        wall.normal[a] = enters ? -1.0 : 1.0;
-        return wall;
-    }
-
-    std::optional<Crossing> crossing_of_stock(const Place& from, std::size_t axis,
-                                              bool enters) const {
-        const auto a = static_cast<int>(axis);
-        const double low = grid_.axes[axis].at[from[axis]];
-        const double high = grid_.axes[axis].at[from[axis] + 1];
-        const Vec3 p = point_of(from);
-        std::optional<Crossing> found;
-        for (const CuttingCell::Facet& facet : stock_.facets) {
-            const Vec3 n{facet.normal[0], facet.normal[1], facet.normal[2]};
-            if (n[a] == 0.0 || (n[a] > 0.0) == enters) continue;
-            const double place = p[a] + (facet.offset - dot(n, p)) / n[a];
-            if (!(low < place && place < high)) continue;
-            // The innermost facet.
-            if (!found || (enters ? place > found->at : place < found->at))
-                found = Crossing{place, normalized(n), cda::kStockOrigin};
-        }
-        return found;
     }
 
     // --- Step 3: facets ---
@@ -520,7 +349,7 @@ private:
             vertices[i] = cell.first_point + components_of(cell.inside).of_edge[edge];
             is_dropped[i] = cell.is_dropped;
         }
-        const cda::Origin origin = origin_at(corner, axis);
+        const cda::Origin origin = crossings_.origin_at(corner, axis);
         std::array<std::optional<std::uint32_t>, 4> middles;
         for (std::size_t i = 0; i < 4; ++i) {
             const std::size_t next = (i + 1) % 4;
@@ -639,7 +468,7 @@ private:
             Place p = first;
             p[axis] += i & 1;
             p[other] += i >> 1;
-            in[i] = signs_(p);
+            in[i] = crossings_.signs()(p);
         }
         if (in[0] != in[3] || in[1] != in[2] || in[0] == in[1]) return std::nullopt;
         const auto all_are = [&](const Place& at, std::uint32_t vertex) {
@@ -657,22 +486,20 @@ private:
         if (!all_are(a, vertex_a) || !all_are(b, vertex_b)) return std::nullopt;
         // The corner in the material at an end of the edge identifies the pair of edges.
         Place inner = corner;
-        if (!signs_(inner)) ++inner[axis];
+        if (!crossings_.signs()(inner)) ++inner[axis];
         const auto [at, is_new] = middles_.try_emplace(
             {std::min(vertex_a, vertex_b), std::max(vertex_a, vertex_b), inner},
             static_cast<std::uint32_t>(points.size()));
         if (is_new) {
             const Vec3 between = 0.5 * (points[vertex_a] + points[vertex_b]);
-            points.push_back(between + 0.25 * (point_of(inner) - between));
+            points.push_back(between + 0.25 * (crossings_.point_of(inner) - between));
         }
         return at->second;
     }
 
     const Grid& grid_;
-    const std::array<Rays, 3>& rays_;
-    const CuttingCell& stock_;
     std::size_t threads_;
-    Signs signs_;
+    Crossings crossings_;
     std::vector<std::size_t> column_;  // index in cells_ of each column's first cell
     std::vector<MixedCell> cells_;
     std::array<Strip, 2> strips_;  // The wall across edges along x and along y, unfinished.
@@ -681,18 +508,10 @@ private:
 
 }  // namespace
 
-Contour::Contour(const Grid& grid, const std::array<Rays, 3>& rays, const CuttingCell& stock,
-                 const cda::Lattice& lattice, std::size_t threads, Mesher mesher)
-    : grid_(grid),
-      rays_(rays),
-      stock_(stock),
-      lattice_(lattice),
-      threads_(threads),
-      mesher_(mesher) {}
-
-cda::Boundary Contour::boundary() const {
-    Contouring contouring(grid_, rays_, stock_, threads_);
-    if (mesher_ == Mesher::MarchingCubes) {
+cda::Boundary contour(const Grid& grid, const std::array<Rays, 3>& rays, const CuttingCell& stock,
+                      const cda::Lattice& lattice, std::size_t threads, Mesher mesher) {
+    Contouring contouring(grid, rays, stock, threads);
+    if (mesher == Mesher::MarchingCubes) {
         contouring.march();
     } else {
         contouring.run();
@@ -700,7 +519,7 @@ cda::Boundary Contour::boundary() const {
     cda::Boundary boundary;
     boundary.vertices.reserve(contouring.points.size());
     for (const Vec3& p : contouring.points)
-        boundary.vertices.push_back(lattice_.to_mm(p));
+        boundary.vertices.push_back(lattice.to_mm(p));
     DisjointSets shells(contouring.points.size());
     for (const auto& [a, b, c] : contouring.triangles) {
         shells.unite(a, b);

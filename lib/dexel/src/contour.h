@@ -15,10 +15,10 @@
 
 namespace ncsim::dexel {
 
-/// Dual contouring of the rays. The rays along z determine which corners of the grid are in the
-/// material. The ends of rays along an edge of the grid give the crossing of the edge with the
-/// surface, and the normal. Each crossed cell gets a vertex for each piece of the surface
-/// (cell_components.h): the point in the cell nearest to the planes at these crossings. The
+/// Returns the surface by dual contouring of the rays. The rays along z determine which corners of
+/// the grid are in the material. The ends of rays along an edge of the grid give the crossing of
+/// the edge with the surface, and the normal. Each crossed cell gets a vertex for each piece of the
+/// surface (cell_components.h): the point in the cell nearest to the planes at these crossings. The
 /// vertices of the cells around each crossed edge form a facet. If two pieces that meet in a face
 /// of a cell have the same vertices on both sides of the face, each piece gets a separate vertex in
 /// between, so that every edge has two facets.
@@ -31,20 +31,7 @@ namespace ncsim::dexel {
 /// rays, which cuts off all edges of the part.
 /// Cost: expected O(corners of the grid / 64 + surface).
 /// Source: Ju, Losasso, Schaefer, Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002.
-class Contour {
-public:
-    Contour(const Grid& grid, const std::array<Rays, 3>& rays, const CuttingCell& stock,
-            const cda::Lattice& lattice, std::size_t threads, Mesher mesher);
-
-    cda::Boundary boundary() const;
-
-private:
-    const Grid& grid_;
-    const std::array<Rays, 3>& rays_;
-    const CuttingCell& stock_;
-    cda::Lattice lattice_;
-    std::size_t threads_;
-    Mesher mesher_;
-};
+cda::Boundary contour(const Grid& grid, const std::array<Rays, 3>& rays, const CuttingCell& stock,
+                      const cda::Lattice& lattice, std::size_t threads, Mesher mesher);
 
 }  // namespace ncsim::dexel

@@ -130,8 +130,8 @@ public:
         return std::accumulate(seen.begin(), seen.end(), 0.0) / static_cast<double>(seen.size());
     }
 
-    Contour contour() const {
-        return Contour(*grid_, rays(), *stock_, lattice_, parameters_.threads, parameters_.mesher);
+    cda::Boundary boundary() const {
+        return contour(*grid_, rays(), *stock_, lattice_, parameters_.threads, parameters_.mesher);
     }
 
 private:
@@ -277,7 +277,7 @@ double Dexel::volume() const {
 }
 
 cda::Boundary Dexel::boundary() const {
-    return impl_->contour().boundary();
+    return impl_->boundary();
 }
 
 bool Dexel::contains(Vec3 point) const {

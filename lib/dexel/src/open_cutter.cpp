@@ -6,7 +6,6 @@
 #include "whole_units.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

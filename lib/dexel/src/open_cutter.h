@@ -10,7 +10,6 @@
 #include "rays.h"
 #include "round_sweep.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -9,7 +9,6 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
-#include <utility>
 
 namespace ncsim::mesh {
 

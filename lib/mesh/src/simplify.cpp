@@ -26,7 +26,6 @@
 #include "slivers.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <set>

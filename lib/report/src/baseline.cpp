@@ -98,8 +98,7 @@ Json to_json(const std::string& program, const KnownFinding& known) {
                             {"value", round_value(known.quantity->value)},
                             {"unit", known.quantity->unit}};
     }
-    if (!known.box.is_empty())
-        json["box"] = {{"min", vector_json(known.box.min)}, {"max", vector_json(known.box.max)}};
+    if (!known.box.is_empty()) json["box"] = box_json(known.box);
     if (!known.why.empty()) json["why"] = known.why;
     return json;
 }

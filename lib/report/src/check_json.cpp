@@ -50,9 +50,7 @@ Json to_json(const Checked& checked, const Finding& f) {
                             {"unit", f.quantity->unit}};
     }
     if (f.point) json["point"] = vector_json(*f.point);
-    if (!f.box.is_empty()) {
-        json["box"] = {{"min", vector_json(f.box.min)}, {"max", vector_json(f.box.max)}};
-    }
+    if (!f.box.is_empty()) json["box"] = box_json(f.box);
     json["message"] = f.message;
     json["hint"] = f.hint;
     json["assumptions"] = f.assumptions;
@@ -73,25 +71,21 @@ Json to_json(const Checked& checked, const verify::Doubt& d) {
 }
 
 Json to_json(const verify::Ledger& ledger) {
-    const auto known = [](const std::optional<double>& value) {
-        return value ? Json(round_value(*value)) : Json(nullptr);
-    };
-    Json json{
+    return {
         {"stock_mm3", round_value(ledger.stock_mm3)},
         {"rest_mm3", round_value(ledger.rest_mm3)},
         {"removed_mm3", ledger.measured ? Json(round_value(ledger.removed_mm3)) : Json(nullptr)},
         {"feed_mm", round_value(ledger.feed_mm)},
         {"rapid_mm", round_value(ledger.rapid_mm)},
         {"air_mm", ledger.air_known ? Json(round_value(ledger.air_mm)) : Json(nullptr)},
-        {"feed_seconds", known(ledger.feed_seconds)},
-        {"rapid_seconds", known(ledger.rapid_seconds)},
-        {"other_seconds", known(ledger.other_seconds)}};
-    return json;
+        {"feed_seconds", rounded_json(ledger.feed_seconds)},
+        {"rapid_seconds", rounded_json(ledger.rapid_seconds)},
+        {"other_seconds", rounded_json(ledger.other_seconds)}};
 }
 
 Json to_json(const DesignFacts::Side& side) {
     return {{"largest_mm", round_value(side.largest_mm)},
-            {"volume_mm3", side.volume_mm3 ? Json(round_value(*side.volume_mm3)) : Json(nullptr)},
+            {"volume_mm3", rounded_json(side.volume_mm3)},
             {"regions", side.regions}};
 }
 
@@ -132,9 +126,7 @@ Json to_json(const Checked& checked) {
     if (!checked.settings.empty()) json["settings"] = relative_path(checked.settings);
     if (!checked.baseline.empty()) json["baseline"] = baseline_json(checked);
     if (!checked.stock.empty()) json["stock"] = checked.stock;
-    if (!checked.stock_box.is_empty())
-        json["stock_mm"] = {{"min", vector_json(checked.stock_box.min)},
-                            {"max", vector_json(checked.stock_box.max)}};
+    if (!checked.stock_box.is_empty()) json["stock_mm"] = box_json(checked.stock_box);
     if (!checked.time.empty()) json["time"] = checked.time;
     if (checked.seconds) json["seconds"] = round_value(*checked.seconds);
     json["moves"] = checked.moves;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <utility>
 
 namespace ncsim::report {
 

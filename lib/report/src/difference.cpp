@@ -68,10 +68,9 @@ Json to_json(const OneSidedMaterial& side, const std::string& cut_by) {
                              {"first", range.first},
                              {"last", range.last}});
         }
-        json["regions"].push_back(
-            {{"volume_mm3", round_value(r.volume_mm3)},
-             {"box", {{"min", vector_json(r.box.min)}, {"max", vector_json(r.box.max)}}},
-             {"lines", std::move(lines)}});
+        json["regions"].push_back({{"volume_mm3", round_value(r.volume_mm3)},
+                                   {"box", box_json(r.box)},
+                                   {"lines", std::move(lines)}});
     }
     return json;
 }

@@ -19,6 +19,15 @@ Json vector_json(Vec3 v) {
     return Json::array({round_value(v.x), round_value(v.y), round_value(v.z)});
 }
 
+Json rounded_json(const std::optional<double>& value) {
+    return value ? Json(round_value(*value)) : Json();
+}
+
+Json box_json(const Box& box) {
+    if (box.is_empty()) return nullptr;
+    return {{"min", vector_json(box.min)}, {"max", vector_json(box.max)}};
+}
+
 Json findings_json(const gcode::Diagnostics& diagnostics) {
     Json findings = Json::array();
     for (const gcode::Diagnostic& d : diagnostics) {

@@ -9,6 +9,7 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 namespace ncsim::report {
@@ -29,8 +30,12 @@ T whole_number(const Json& json) {
     return static_cast<T>(value);
 }
 
+/// Returns the rounded value; null if there is none.
+Json rounded_json(const std::optional<double>& value);
 /// Returns [x, y, z].
 Json vector_json(Vec3 v);
+/// Returns {min, max}; null for an empty box.
+Json box_json(const Box& box);
 
 /// Returns an array of {severity, code, message, file, line, column, count}.
 Json findings_json(const gcode::Diagnostics& diagnostics);

@@ -6,7 +6,6 @@
 #include "ncsim/report/checked.h"
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace ncsim::report {

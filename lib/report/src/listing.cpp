@@ -13,11 +13,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace ncsim::report {

@@ -270,16 +270,12 @@ private:
 
 // --- JSON ---------------------------------------------------------------------------------
 
-Json rounded_json(Vec3 v) {
-    return {round_value(v.x), round_value(v.y), round_value(v.z)};
-}
-
-void add(Json& json, const CutBy& by) {
+Json with(Json json, const CutBy& by) {
     json["lines"] = by.lines;
     json["tools"] = by.tools;
-    if (by.earlier.empty()) return;
     for (const EarlierLine& at : by.earlier)
         json["earlier"].push_back({{"program", at.program}, {"line", at.line}});
+    return json;
 }
 
 Json to_json(const MeasuredBore& b) {
@@ -287,25 +283,22 @@ Json to_json(const MeasuredBore& b) {
               {"depth_mm", round_value(b.depth)},
               {"end", b.end},
               {"through", b.end == "through"},
-              {"mouth", rounded_json(b.mouth)},
-              {"axis", rounded_json(b.axis)},
+              {"mouth", vector_json(b.mouth)},
+              {"axis", vector_json(b.axis)},
               {"mouth_slants_by_mm", round_value(b.mouth_slants_by)},
               {"covers_degrees", round_value(b.covers_degrees)}};
     if (b.tip_depth) json["tip_depth_mm"] = round_value(*b.tip_depth);
     if (b.tip_angle_degrees) json["tip_angle_degrees"] = round_value(*b.tip_angle_degrees);
-    add(json, b.by);
-    return json;
+    return with(std::move(json), b.by);
 }
 
 Json to_json(const MeasuredThread& t) {
     Json json{{"diameter_mm", round_value(t.diameter)},
-              {"pitch_mm", nullptr},
+              {"pitch_mm", rounded_json(t.pitch)},
               {"depth_mm", round_value(t.depth)},
               {"inside", t.is_inside},
-              {"mouth", rounded_json(t.mouth)}};
-    if (t.pitch) json["pitch_mm"] = round_value(*t.pitch);
-    add(json, t.by);
-    return json;
+              {"mouth", vector_json(t.mouth)}};
+    return with(std::move(json), t.by);
 }
 
 Json to_json(const MeasuredCountersink& c) {
@@ -313,11 +306,10 @@ Json to_json(const MeasuredCountersink& c) {
               {"depth_mm", round_value(c.depth)},
               {"angle_degrees", round_value(c.angle_degrees)},
               {"tip", c.has_tip},
-              {"mouth", rounded_json(c.mouth)},
-              {"axis", rounded_json(c.axis)},
+              {"mouth", vector_json(c.mouth)},
+              {"axis", vector_json(c.axis)},
               {"covers_degrees", round_value(c.covers_degrees)}};
-    add(json, c.by);
-    return json;
+    return with(std::move(json), c.by);
 }
 
 Json to_json(const MeasuredChamfer& c) {
@@ -325,38 +317,34 @@ Json to_json(const MeasuredChamfer& c) {
               {"height_mm", round_value(c.height)},
               {"angle_degrees", round_value(c.angle_degrees)},
               {"length_mm", round_value(c.length)},
-              {"at", rounded_json(c.at)}};
-    add(json, c.by);
-    return json;
+              {"at", vector_json(c.at)}};
+    return with(std::move(json), c.by);
 }
 
 Json to_json(const MeasuredBoss& b) {
     Json json{{"diameter_mm", round_value(b.diameter)},
               {"height_mm", round_value(b.height)},
-              {"foot", rounded_json(b.foot)},
-              {"axis", rounded_json(b.axis)},
+              {"foot", vector_json(b.foot)},
+              {"axis", vector_json(b.axis)},
               {"covers_degrees", round_value(b.covers_degrees)}};
-    add(json, b.by);
-    return json;
+    return with(std::move(json), b.by);
 }
 
 Json to_json(const MeasuredCorner& c) {
     Json json{{"radius_mm", round_value(c.radius)},
               {"inside", c.is_inside},
               {"covers_degrees", round_value(c.covers_degrees)},
-              {"centre", rounded_json(c.on_axis)},
-              {"axis", rounded_json(c.axis)}};
-    add(json, c.by);
-    return json;
+              {"centre", vector_json(c.on_axis)},
+              {"axis", vector_json(c.axis)}};
+    return with(std::move(json), c.by);
 }
 
 Json to_json(const MeasuredDistance& d) {
     Json json{{"mm", round_value(d.mm)},
               {"between", d.is_void ? "void" : "material"},
-              {"from", rounded_json(d.from)},
-              {"to", rounded_json(d.to)}};
-    add(json, d.by);
-    return json;
+              {"from", vector_json(d.from)},
+              {"to", vector_json(d.to)}};
+    return with(std::move(json), d.by);
 }
 
 Json to_json(const MeasuredFloor& f, const Box& extents) {
@@ -365,10 +353,9 @@ Json to_json(const MeasuredFloor& f, const Box& extents) {
               {"above_bottom_mm", round_value(f.z - extents.min.z)},
               {"area_mm2", round_value(f.area)},
               {"walls_all_round", f.is_closed},
-              {"min", rounded_json(f.box.min)},
-              {"max", rounded_json(f.box.max)}};
-    add(json, f.by);
-    return json;
+              {"min", vector_json(f.box.min)},
+              {"max", vector_json(f.box.max)}};
+    return with(std::move(json), f.by);
 }
 
 template <typename Feature, typename... More>
@@ -389,11 +376,7 @@ void write_measures(std::ostream& out, const MeasureSheet& sheet) {
     Json json{{"ncsim", kVersion},
               {"program", sheet.program},
               {"volume_mm3", round_value(sheet.volume_mm3)}};
-    json["extents"] = nullptr;
-    if (!sheet.extents.is_empty()) {
-        json["extents"] = {{"min", rounded_json(sheet.extents.min)},
-                           {"max", rounded_json(sheet.extents.max)}};
-    }
+    json["extents"] = box_json(sheet.extents);
     json["bores"] = list_json(sheet.bores);
     json["threads"] = list_json(sheet.threads);
     json["countersinks"] = list_json(sheet.countersinks);

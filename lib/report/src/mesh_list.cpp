@@ -24,12 +24,11 @@ void write_mesh_list(std::ostream& out, const std::string& program, Vec3 centre,
         << ", \"unit\": \"mm\", \"centre\": " << to_line(vector_json(centre)) << ", \"files\": [";
     const char* comma = "";
     for (const MeshFile& file : files) {
-        const Json json{
-            {"file", file.file},
-            {"sha256", file.sha256},
-            {"box", {{"min", vector_json(file.box.min)}, {"max", vector_json(file.box.max)}}},
-            {"faces", file.faces},
-            {"open_edges", file.open_edges}};
+        const Json json{{"file", file.file},
+                        {"sha256", file.sha256},
+                        {"box", box_json(file.box)},
+                        {"faces", file.faces},
+                        {"open_edges", file.open_edges}};
         out << comma << '\n' << to_line(json);
         comma = ",";
     }

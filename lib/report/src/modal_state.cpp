@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 
@@ -89,7 +90,7 @@ std::string feed_text(const MachineState& s, bool with_codes) {
     return with_code(value + " 1/min", "G93", with_codes);
 }
 
-std::string spindle_text(const MachineState& s) {
+std::string spindle_text(const MachineState& s, bool) {
     const std::string speed =
         s.spindle_rpm > 0.0
             ? plain_number(s.spindle_rpm) + (s.constant_surface_speed ? " (G96)" : "/min")
@@ -103,19 +104,19 @@ std::string spindle_text(const MachineState& s) {
     return text;
 }
 
-std::string coolant_text(const MachineState& s) {
+std::string coolant_text(const MachineState& s, bool) {
     if (s.coolant.mist && s.coolant.flood) return "mist and flood";
     return s.coolant.mist ? "mist" : s.coolant.flood ? "flood" : "off";
 }
 
-std::string tool_text(const MachineState& s) {
+std::string tool_text(const MachineState& s, bool) {
     std::string text = s.tool == 0 ? "none" : fmt::format("T{}", s.tool);
     if (s.selected_tool > 0 && s.selected_tool != s.tool)
         text += fmt::format(", T{} selected", s.selected_tool);
     return text;
 }
 
-std::string length_text(const MachineState& s) {
+std::string length_text(const MachineState& s, bool) {
     const auto& offset = s.frames.tool_offset;
     switch (s.length_register) {
         case gcode::kNoLength: return "none";
@@ -142,7 +143,7 @@ std::string system_name(int system) {
     return system <= 9 ? fmt::format("G59.{}", system - 6) : fmt::format("G54.1 P{}", system - 9);
 }
 
-std::string system_text(const MachineState& s) {
+std::string system_text(const MachineState& s, bool) {
     std::string text = system_name(s.system);
     const bool is_of_machine = std::ranges::all_of(s.frame, [](int f) { return f == 0; });
     if (is_of_machine) {
@@ -155,12 +156,12 @@ std::string system_text(const MachineState& s) {
     return text;
 }
 
-std::string shift_text(const MachineState& s) {
+std::string shift_text(const MachineState& s, bool) {
     const std::string shift = axes_text(s.frames.offset_92);
     return shift.empty() ? "none" : shift;
 }
 
-std::string transform_text(const MachineState& s) {
+std::string transform_text(const MachineState& s, bool) {
     const gcode::ProgrammedTransform& t = s.frames.programmed;
     std::string text;
     const auto add = [&text](const std::string& more) {
@@ -177,7 +178,7 @@ std::string transform_text(const MachineState& s) {
     return text.empty() ? "none" : text;
 }
 
-std::string tilted_text(const MachineState& s) {
+std::string tilted_text(const MachineState& s, bool) {
     if (!s.frames.tilt) return "none";
     const gcode::FeatureFrame& frame = *s.frames.tilt;
     const gcode::Triple normal = frame.normal();
@@ -201,52 +202,46 @@ std::string cycle_text(const MachineState& s, bool with_codes) {
     return text + (s.retract_to_r ? ", back to the clearance" : ", back to the initial level");
 }
 
+std::string units_text(const MachineState& s, bool with_codes) {
+    return with_code(unit_of(s), s.inches ? "G20" : "G21", with_codes);
+}
+
+std::string coordinates_text(const MachineState& s, bool) {
+    return s.coordinates == gcode::Coordinates::Tip ? "of the tip, which the control keeps"
+                                                    : "of the axes";
+}
+
+struct Mode {
+    std::string_view name;
+    std::string (*text)(const MachineState& s, bool with_codes);
+};
+
+// In the order of ModeGroup.
+constexpr std::array<Mode, kModeGroups> kModes{{{"motion", motion_text},
+                                                {"plane", plane_text},
+                                                {"units", units_text},
+                                                {"distances", distance_text},
+                                                {"feed", feed_text},
+                                                {"spindle", spindle_text},
+                                                {"coolant", coolant_text},
+                                                {"tool", tool_text},
+                                                {"length", length_text},
+                                                {"compensation", compensation_text},
+                                                {"system", system_text},
+                                                {"shift", shift_text},
+                                                {"transformation", transform_text},
+                                                {"tilted plane", tilted_text},
+                                                {"coordinates", coordinates_text},
+                                                {"cycle", cycle_text}}};
+
 }  // namespace
 
 std::string_view name_of(ModeGroup group) {
-    switch (group) {
-        case ModeGroup::Motion: return "motion";
-        case ModeGroup::Plane: return "plane";
-        case ModeGroup::Units: return "units";
-        case ModeGroup::Distance: return "distances";
-        case ModeGroup::Feed: return "feed";
-        case ModeGroup::Spindle: return "spindle";
-        case ModeGroup::Coolant: return "coolant";
-        case ModeGroup::Tool: return "tool";
-        case ModeGroup::Length: return "length";
-        case ModeGroup::Compensation: return "compensation";
-        case ModeGroup::System: return "system";
-        case ModeGroup::Shift: return "shift";
-        case ModeGroup::Transform: return "transformation";
-        case ModeGroup::TiltedPlane: return "tilted plane";
-        case ModeGroup::Controlled: return "coordinates";
-        case ModeGroup::Cycle: break;
-    }
-    return "cycle";
+    return kModes.at(static_cast<std::size_t>(group)).name;
 }
 
 std::string text_of(ModeGroup group, const MachineState& s, bool with_codes) {
-    switch (group) {
-        case ModeGroup::Motion: return motion_text(s, with_codes);
-        case ModeGroup::Plane: return plane_text(s, with_codes);
-        case ModeGroup::Units: return with_code(unit_of(s), s.inches ? "G20" : "G21", with_codes);
-        case ModeGroup::Distance: return distance_text(s, with_codes);
-        case ModeGroup::Feed: return feed_text(s, with_codes);
-        case ModeGroup::Spindle: return spindle_text(s);
-        case ModeGroup::Coolant: return coolant_text(s);
-        case ModeGroup::Tool: return tool_text(s);
-        case ModeGroup::Length: return length_text(s);
-        case ModeGroup::Compensation: return compensation_text(s, with_codes);
-        case ModeGroup::System: return system_text(s);
-        case ModeGroup::Shift: return shift_text(s);
-        case ModeGroup::Transform: return transform_text(s);
-        case ModeGroup::TiltedPlane: return tilted_text(s);
-        case ModeGroup::Controlled:
-            return s.coordinates == gcode::Coordinates::Tip ? "of the tip, which the control keeps"
-                                                            : "of the axes";
-        case ModeGroup::Cycle: break;
-    }
-    return cycle_text(s, with_codes);
+    return kModes.at(static_cast<std::size_t>(group)).text(s, with_codes);
 }
 
 ModeNumbers numbers_of(const MachineState& s) {

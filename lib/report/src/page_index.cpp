@@ -20,7 +20,6 @@
 #include <ostream>
 #include <string_view>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace ncsim::report {

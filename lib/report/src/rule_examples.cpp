@@ -3,7 +3,6 @@
 // Finds the files of a rule in the text that cmake/bundle.cmake writes.
 #include "rule_examples.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 

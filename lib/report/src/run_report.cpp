@@ -29,11 +29,6 @@ namespace ncsim::report {
 
 namespace {
 
-Json to_json(const Box& box) {
-    if (box.is_empty()) return nullptr;
-    return {{"min", vector_json(box.min)}, {"max", vector_json(box.max)}};
-}
-
 Json source(toolpath::ValueSource by, gcode::SourceSpan span, const std::string& text) {
     Json json{{"by", report::name_of(by)}};
     if (span.line != 0) json["line"] = span.line;
@@ -44,12 +39,9 @@ Json source(toolpath::ValueSource by, gcode::SourceSpan span, const std::string&
 // Returns the times; a time is null if a feed is not specified.
 Json time_json(const verify::Distances& distances) {
     const verify::MachiningTime time = time_of(distances);
-    const auto known = [](const std::optional<double>& s) {
-        return s ? Json(round_value(*s)) : Json();
-    };
     return {{"model", "constant feeds, no acceleration"},
-            {"total_seconds", known(time.total())},
-            {"feed_seconds", known(time.feed)},
+            {"total_seconds", rounded_json(time.total())},
+            {"feed_seconds", rounded_json(time.feed)},
             {"rapid_seconds", round_value(time.rapid)},
             {"rapid_mm_per_min", verify::kAssumedRapid},
             {"tool_changes", distances.tool_changes},
@@ -59,12 +51,9 @@ Json time_json(const verify::Distances& distances) {
 
 // Returns the times; a time is null if a rate is not specified.
 Json machine_time_json(const verify::Ledger& ledger) {
-    const auto known = [](const std::optional<double>& s) {
-        return s ? Json(round_value(*s)) : Json();
-    };
-    return {{"feed_seconds", known(ledger.feed_seconds)},
-            {"rapid_seconds", known(ledger.rapid_seconds)},
-            {"other_seconds", known(ledger.other_seconds)}};
+    return {{"feed_seconds", rounded_json(ledger.feed_seconds)},
+            {"rapid_seconds", rounded_json(ledger.rapid_seconds)},
+            {"other_seconds", rounded_json(ledger.other_seconds)}};
 }
 
 Json tools_json(const RunFacts& run) {
@@ -360,7 +349,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
                            {"machine_zero_above_program_zero_mm", verify::kHomeHeight},
                            {"uses_machine_coordinates", run.program->uses_machine_coordinates}};
     if (run.program->stock) {
-        json["stock"] = to_json(run.program->stock->box);
+        json["stock"] = box_json(run.program->stock->box);
         if (const auto& from = run.program->stock->from) {
             json["stock"]["file"] = base_name(from->path);
             if (!from->turn.empty()) json["stock"]["turned"] = from->turn;
@@ -398,7 +387,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
         }
     }
     if (run.boundary) {
-        json["part"] = {{"extents", to_json(cda::bounds(*run.boundary))},
+        json["part"] = {{"extents", box_json(cda::bounds(*run.boundary))},
                         {"area_mm2", round_value(cda::area(*run.boundary))},
                         {"faces", run.boundary->faces.size()},
                         {"vertices", run.boundary->vertices.size()},
@@ -439,7 +428,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
     if (distances.feed_seconds) json["feed_seconds"] = round_value(*distances.feed_seconds);
     json["time"] = time_json(distances);
     if (run.on_machine) json["time_on_machine"] = machine_time_json(*run.on_machine);
-    json["tip_extents"] = to_json(run.program->tip_positions);
+    json["tip_extents"] = box_json(run.program->tip_positions);
     json["tools"] = tools_json(run);
     json["operations"] = operations_json(run);
     if (run.part && !run.part->removed_by_block.empty()) {

@@ -16,22 +16,14 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::report {
 
-namespace {
+extern const std::string_view kSheetStyle;
 
-constexpr const char* kStyle =
-    "@page { size: A4; margin: 12mm }\n"
-    "body { font: 10pt sans-serif; margin: 1em; color: #000; background: #fff }\n"
-    "section { page-break-after: always } section:last-of-type { page-break-after: auto }\n"
-    "h1 { font-size: 15pt; margin: 0 0 .2em } h2 { font-size: 11pt; margin: .9em 0 .2em }\n"
-    "table { border-collapse: collapse; width: 100% }\n"
-    "th, td { border: 1px solid #999; padding: .2em .4em; text-align: left; vertical-align: top }\n"
-    "th { background: #eee } .values th { width: 8em } ul { margin: 0; padding-left: 1.2em }\n"
-    ".open { border: 2px solid #000; padding: .4em .6em } footer { color: #666; margin-top: 1em "
-    "}\n";
+namespace {
 
 // Returns a drawing of the tool from its profiles: cutting pieces dark, further pieces light.
 std::string drawing_of(const toolpath::Tool& tool) {
@@ -154,7 +146,7 @@ void write_set_up_sheet(std::ostream& out, const std::string& job,
                         const std::vector<SheetSetUp>& set_ups, LengthUnit unit) {
     out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>"
         << escaped(job) << "</title>\n<style>\n"
-        << kStyle << "</style></head>\n<body>\n";
+        << kSheetStyle << "</style></head>\n<body>\n";
     for (const SheetSetUp& set_up : set_ups) {
         out << "<section>\n<h1>" << escaped(job);
         if (!set_up.title.empty()) out << ": " << escaped(set_up.title);

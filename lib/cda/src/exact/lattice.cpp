@@ -3,8 +3,6 @@
 // Choice of the lattice unit and rounding.
 #include "ncsim/cda/lattice.h"
 
-#include <array>
-
 namespace ncsim::cda {
 
 Lattice Lattice::for_stock(const Box& stock_mm) {

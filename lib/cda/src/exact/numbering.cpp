@@ -5,11 +5,6 @@
 
 #include "ncsim/base/mix.h"
 
-#include <array>
-#include <cmath>
-#include <numeric>
-#include <utility>
-
 namespace ncsim::cda {
 
 Pluecker::Pluecker(const Plane& s, const Plane& t)

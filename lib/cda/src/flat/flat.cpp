@@ -8,7 +8,6 @@
 #include "surface/stitch.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
 #include <utility>

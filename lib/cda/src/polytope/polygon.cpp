@@ -3,8 +3,6 @@
 // Exact clipping of convex polygons.
 #include "ncsim/cda/polygon.h"
 
-#include <algorithm>
-
 namespace ncsim::cda {
 
 ConvexPolygon ConvexPolygon::of_facet(const ConvexPolytope& polytope, std::uint32_t facet) {

@@ -30,7 +30,6 @@
 #include <array>
 #include <atomic>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <stdexcept>

@@ -60,43 +60,4 @@ Domination dominated(std::span<const BoxPlane> cell, std::span<const BoxPlane> b
     return result;
 }
 
-Profile::Profile(std::span<const BoxPlane> cell) {
-    std::array<double, 3> sum{};
-    for (const BoxPlane& p : cell) {
-        for (std::size_t i = 0; i < 3; ++i)
-            sum[i] += p.n[i] / p.size;
-    }
-    std::size_t axis = 0;
-    for (std::size_t i = 1; i < 3; ++i) {
-        if (std::abs(sum[i]) > std::abs(sum[axis])) axis = i;
-    }
-    const double sign = sum[axis] < 0 ? -1.0 : 1.0;
-    direction = static_cast<std::uint8_t>(2 * axis + (sum[axis] < 0 ? 1 : 0));
-    const std::size_t u = (axis + 1) % 3;
-    const std::size_t v = (axis + 2) % 3;
-    constexpr std::array<float, 4> kAt{-0.9F, -0.3F, 0.3F, 0.9F};
-    reach.fill(1.0F);
-    for (const BoxPlane& p : cell) {
-        const double along = sign * p.n[axis];
-        if (along <= 0) continue;
-        const auto middle = static_cast<float>(p.e / along);
-        const auto du = static_cast<float>(p.n[u] / along);
-        const auto dv = static_cast<float>(p.n[v] / along);
-        for (std::size_t k = 0; k < 16; ++k) {
-            reach[k] = std::min(reach[k], middle - du * kAt[k & 3] - dv * kAt[k >> 2]);
-        }
-    }
-}
-
-bool Profile::may_be_covered_by(const Profile& other) const {
-    if (direction != other.direction) return true;
-    // Equal profiles differ by rounding.
-    constexpr float kTolerance = 1e-5F;
-    bool covered = true;
-    for (std::size_t k = 0; k < 16; ++k) {
-        covered &= reach[k] <= other.reach[k] + kTolerance * (std::abs(reach[k]) + 1.0F);
-    }
-    return covered;
-}
-
 }  // namespace ncsim::cda

@@ -50,16 +50,4 @@ Domination implies(const BoxPlane& m, const BoxPlane& p);
 /// against each plane of the first.
 Domination dominated(std::span<const BoxPlane> cell, std::span<const BoxPlane> by);
 
-/// Reach of a cell through a box along the axis that most of the planes face, in 16 columns. A cell
-/// that covers another reaches at least as far in each column. A filter that only saves work.
-struct Profile {
-    Profile() = default;
-    explicit Profile(std::span<const BoxPlane> cell);
-    /// False if a cell with this profile is probably not covered by a cell with profile `other`.
-    bool may_be_covered_by(const Profile& other) const;
-
-    std::uint8_t direction = 0;  ///< Twice the axis, plus one for the negative direction.
-    std::array<float, 16> reach{};
-};
-
 }  // namespace ncsim::cda

@@ -8,7 +8,6 @@
 #include "surface/outlines.h"
 #include "tree/block_tree.h"
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -9,8 +9,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
 #include <ostream>
 #include <stdexcept>
 

@@ -5,6 +5,7 @@
 #include "formats/drawing_parts.h"
 
 #include <cstdint>
+#include <initializer_list>
 #include <ostream>
 #include <set>
 #include <stdexcept>
@@ -56,18 +57,20 @@ public:
     std::string operator()() {
         head();
         tables();
-        group(0, "SECTION");
-        group(2, "ENTITIES");
+        groups({{0, "SECTION"}, {2, "ENTITIES"}});
         for (number_ = 0; number_ < sections_.size(); ++number_)
             draw(sections_[number_]);
-        group(0, "ENDSEC");
-        group(0, "EOF");
+        groups({{0, "ENDSEC"}, {0, "EOF"}});
         return std::move(text_);
     }
 
 private:
     void group(int code, const std::string& value) {
         text_ += std::to_string(code) + "\n" + value + "\n";
+    }
+    void groups(std::initializer_list<std::pair<int, const char*>> all) {
+        for (const auto& [code, value] : all)
+            group(code, value);
     }
     void point(int code, Vec2 p) {
         group(code, drawn(p.x));
@@ -76,13 +79,8 @@ private:
     }
 
     void head() {
-        group(999, "section by ncsim, mm");
-        group(0, "SECTION");
-        group(2, "HEADER");
-        group(9, "$ACADVER");
-        group(1, "AC1009");
-        group(9, "$INSUNITS");
-        group(70, "4");
+        groups({{999, "section by ncsim, mm"}, {0, "SECTION"}, {2, "HEADER"}});
+        groups({{9, "$ACADVER"}, {1, "AC1009"}, {9, "$INSUNITS"}, {70, "4"}});
         DrawnBox box = box_of(sections_);
         if (box.is_empty()) box.add(Vec2{});
         group(9, "$EXTMIN");
@@ -116,21 +114,10 @@ private:
                     layers.insert(layer(piece, i));
             }
         }
-        group(0, "SECTION");
-        group(2, "TABLES");
-        group(0, "TABLE");
-        group(2, "LTYPE");
-        group(70, "1");
-        group(0, "LTYPE");
-        group(2, "CONTINUOUS");
-        group(70, "0");
-        group(3, "Solid line");
-        group(72, "65");
-        group(73, "0");
-        group(40, "0");
-        group(0, "ENDTAB");
-        group(0, "TABLE");
-        group(2, "LAYER");
+        groups({{0, "SECTION"}, {2, "TABLES"}, {0, "TABLE"}, {2, "LTYPE"}, {70, "1"}});
+        groups({{0, "LTYPE"}, {2, "CONTINUOUS"}, {70, "0"}, {3, "Solid line"}});
+        groups({{72, "65"}, {73, "0"}, {40, "0"}, {0, "ENDTAB"}});
+        groups({{0, "TABLE"}, {2, "LAYER"}});
         group(70, std::to_string(layers.size()));
         for (const Layer& layer : layers) {
             group(0, "LAYER");
@@ -140,8 +127,7 @@ private:
             group(62, std::to_string(layer.colour));
             group(6, "CONTINUOUS");
         }
-        group(0, "ENDTAB");
-        group(0, "ENDSEC");
+        groups({{0, "ENDTAB"}, {0, "ENDSEC"}});
     }
 
     void draw(const DrawnSection& section) {
@@ -151,8 +137,7 @@ private:
         }
         const DrawnBox box = box_of(*section.section);
         constexpr double kHeight = 3.0, kBelow = 8.0;  // mm
-        group(0, "TEXT");
-        group(8, "NOTES");
+        groups({{0, "TEXT"}, {8, "NOTES"}});
         point(10, moved({box.is_empty() ? 0.0 : box.left,
                          (box.is_empty() ? 0.0 : box.bottom) - kBelow}));
         group(40, drawn(kHeight));

@@ -19,12 +19,10 @@
 #include "render/palette.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <ostream>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>

@@ -6,7 +6,6 @@
 #include <zlib.h>
 
 #include <limits>
-#include <ostream>
 #include <stdexcept>
 
 namespace ncsim::exporter {

@@ -6,7 +6,6 @@
 #include "ncsim/base/vec2.h"
 #include "ncsim/export/image.h"
 
-#include <cstdint>
 #include <string_view>
 
 namespace ncsim::exporter {

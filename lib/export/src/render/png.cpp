@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstring>
 #include <exception>
-#include <limits>
 #include <ostream>
 #include <stdexcept>
 #include <string>

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <string_view>
-#include <system_error>
 
 namespace ncsim::setup {
 

@@ -12,7 +12,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 
 namespace ncsim::setup {

@@ -160,30 +160,31 @@ private:
                                                    : "expected a list of lists, [[…], […]]";
     }
 
-    // True if a rule gives the keys of a table, such as names of axes; the reader checks the names.
-    static bool is_of_names(const Json& schema, const Json& known) {
-        return schema.contains("patternProperties") ||
-               std::ranges::all_of(known.items(), [](const auto& property) {
-                   return property.key() == "A" || property.key() == "B" || property.key() == "C";
-               });
+    static bool is_of_rotary_axes(const Json& known) {
+        return std::ranges::all_of(known.items(), [](const auto& property) {
+            return property.key() == "A" || property.key() == "B" || property.key() == "C";
+        });
     }
 
     void table(const toml::table& t, const Json& schema, const std::string& where) const {
         static const Json none = Json::object();
         const auto properties = schema.find("properties");
         const Json& known = properties == schema.end() ? none : *properties;
-        const bool of_names = is_of_names(schema, known);
+        const auto patterns = schema.find("patternProperties");
         for (const auto& [key, node] : t) {
             const std::string name(key.str());
             if (check_.is_option && check_.is_option(name)) continue;
             const std::string path = where.empty() ? name : fmt::format("{}.{}", where, name);
             if (const auto found = known.find(name); found != known.end()) {
                 value(node, *found, path);
-            } else if (!of_names) {
-                fail_unknown(node, name, where, known);
-            } else if (schema.contains("patternProperties")) {
-                const auto rule = schema["patternProperties"].begin();
+            } else if (patterns != schema.end()) {
+                // The reader explains a wrong name.
+                const auto rule = patterns->begin();
                 if (std::regex_search(name, std::regex(rule.key()))) value(node, *rule, path);
+            } else if (is_of_rotary_axes(known)) {
+                fail(node, path, "expected A, B or C");
+            } else {
+                fail_unknown(node, name, where, known);
             }
         }
     }

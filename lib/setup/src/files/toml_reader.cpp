@@ -47,63 +47,42 @@ void TomlReader::fail(const toml::node& node, const std::string& what) const {
     throw std::runtime_error(fmt::format("{}: {}", place_of(node), what));
 }
 
-double TomlReader::number(const toml::node& node) {
-    return node.value<double>().value();
+std::string TomlTable::name_of(std::string_view key) const {
+    return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
 }
 
-std::string TomlReader::text(const toml::node& node) {
-    return node.as_string()->get();
+TomlTable TomlTable::table(std::string_view key) const {
+    static const toml::table none;
+    const toml::node* const node = table_.get(key);
+    return {node ? TomlReader::table(*node) : none, name_of(key)};
 }
 
-const toml::table& TomlReader::table(const toml::node& node) {
-    return *node.as_table();
+void TomlTable::each(std::string_view key,
+                     const std::function<void(const TomlTable&)>& take) const {
+    const toml::node* const node = table_.get(key);
+    if (!node) return;
+    for (const toml::node& element : TomlReader::list(*node))
+        take({element, name_of(key)});
 }
 
-const toml::array& TomlReader::list(const toml::node& node) {
-    return *node.as_array();
+void TomlTable::each_key(
+    std::string_view key,
+    const std::function<void(const toml::node&, const std::string& name)>& take) const {
+    for (const auto& [name, node] : table(key).node())
+        take(node, std::string(name.str()));
 }
 
-Vec3 TomlReader::vector(const toml::node& node) {
-    const toml::array& a = list(node);
-    return {number(a[0]), number(a[1]), number(a[2])};
-}
-
-std::vector<std::string> TomlReader::texts(const toml::node& node) {
-    std::vector<std::string> all;
-    for (const toml::node& element : list(node))
-        all.push_back(text(element));
-    return all;
-}
-
-void TomlReader::each(const toml::table& in, const std::string& where, const Keys& known) {
-    for (const auto& [key, node] : in) {
-        const std::string name(key.str());
-        known.at(name)(node, where.empty() ? name : fmt::format("{}.{}", where, name));
-    }
-}
-
-void TomlReader::each_of(const toml::node& node, const std::string& key, const Take& take) {
-    for (const toml::node& element : list(node))
-        take(element, key);
-}
-
-TomlReader::Take tables(TomlReader::Take take) {
-    return [take = std::move(take)](const toml::node& node, const std::string& key) {
-        TomlReader::each_of(node, key, take);
-    };
-}
-
-std::map<int, Vec3> read_offsets(const TomlReader& reader, const toml::node& node) {
+std::map<int, Vec3> read_offsets(const TomlReader& reader, const TomlTable& table) {
     std::map<int, Vec3> offsets;
-    for (const auto& [name, value] : TomlReader::table(node)) {
-        const auto system = system_named(std::string(name.str()));
+    table.each_key("offsets", [&](const toml::node& node, const std::string& name) {
+        const auto system = system_named(name);
         if (!system) {
-            reader.fail(value, fmt::format("'{}' is no coordinate system: expected G54 to G59, "
-                                           "G59.1 to G59.3 or \"G54.1 P1\" to \"G54.1 P300\"",
-                                           name.str()));
+            reader.fail(node, fmt::format("'{}' is no coordinate system: expected G54 to G59, "
+                                          "G59.1 to G59.3 or \"G54.1 P1\" to \"G54.1 P300\"",
+                                          name));
         }
-        offsets[*system] = TomlReader::vector(value);
-    }
+        offsets[*system] = TomlReader::vector(node);
+    });
     return offsets;
 }
 

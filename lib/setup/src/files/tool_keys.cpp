@@ -7,14 +7,16 @@
 
 namespace ncsim::setup {
 
-std::vector<toolpath::ToolSegment> read_segments(const TomlReader& r, const toml::node& node,
-                                                 const std::string& key) {
+std::vector<toolpath::ToolSegment> read_segments(const TomlReader& r, const TomlTable& t,
+                                                 std::string_view key) {
     std::vector<toolpath::ToolSegment> segments;
-    for (const toml::node& element : TomlReader::list(node)) {
+    if (!t[key]) return segments;
+    for (const toml::node& element : TomlReader::list(*t[key])) {
         const toml::array& values = TomlReader::list(element);
         if (values.size() != 2 && values.size() != 3) {
             r.fail(element,
-                   fmt::format("'{}': expected [diameter, height] or [lower, upper, height]", key));
+                   fmt::format("'{}': expected [diameter, height] or [lower, upper, height]",
+                               t.name_of(key)));
         }
         const double lower = TomlReader::number(values[0]);
         const double upper = values.size() == 3 ? TomlReader::number(values[1]) : lower;

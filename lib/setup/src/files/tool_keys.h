@@ -7,13 +7,14 @@
 
 #include "files/toml_reader.h"
 
-#include <string>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::setup {
 
 /// Reads [[28, 15], [28, 40, 10]]: diameter and height, or lower and upper diameter and height; mm.
-std::vector<toolpath::ToolSegment> read_segments(const TomlReader& reader, const toml::node& node,
-                                                 const std::string& key);
+/// Empty if the table does not have the key.
+std::vector<toolpath::ToolSegment> read_segments(const TomlReader& reader, const TomlTable& table,
+                                                 std::string_view key);
 
 }  // namespace ncsim::setup

@@ -16,50 +16,41 @@ namespace ncsim::setup {
 
 std::vector<toolpath::ToolSpec> read_holder_file(const std::string& path, InputSet& inputs) {
     const TomlReader r(name_of_input(path), inputs.read(path, kMostSetUpBytes), kHoldersSchema);
+    const TomlTable root(r.root(), "");
     std::map<std::string, std::vector<toolpath::ToolSegment>> holders;
-    const auto read_holder = [&](const toml::node& node, const std::string& where) {
-        std::string name;
-        std::vector<toolpath::ToolSegment> segments;
-        TomlReader::each(TomlReader::table(node), where,
-                         {{"name", into(name)}, {"segments", [&](const auto& n, const auto& k) {
-                                                     segments = read_segments(r, n, k);
-                                                 }}});
-        if (name.empty() || segments.empty()) r.fail(node, "a holder has a name and segments");
-        if (!holders.emplace(name, std::move(segments)).second)
-            r.fail(node, fmt::format("the holder '{}' is described twice", name));
-    };
-    std::vector<toolpath::ToolSpec> tools;
-    const auto read_tool = [&](const toml::node& node, const std::string& where) {
-        toolpath::ToolSpec spec;
-        TomlReader::each(
-            TomlReader::table(node), where,
-            {{"number", into(spec.number)},
-             {"holder",
-              [&](const auto& n, const auto& k) {
-                  const auto found = holders.find(TomlReader::text(n));
-                  if (found == holders.end())
-                      r.fail(n, fmt::format("'{}': no [[holder]] above has this name", k));
-                  spec.holder = found->second;
-              }},
-             {"stick_out", into(spec.stick_out)},
-             {"flutes", into(spec.length)},
-             {"shank", into(spec.shank_diameter)},
-             {"neck", [&](const toml::node& n, const std::string&) {
-                  const toml::array& neck = TomlReader::list(n);
-                  spec.neck_diameter = TomlReader::number(neck[0]);
-                  spec.neck_length = TomlReader::number(neck[1]);
-              }}});
-        if (!node.as_table()->contains("number")) r.fail(node, "a tool has a number");
-        const auto same = [&](const auto& t) { return t.number == spec.number; };
-        if (std::ranges::any_of(tools, same))
-            r.fail(node, fmt::format("tool {} is described twice", spec.number));
-        tools.push_back(std::move(spec));
-    };
     // Holders are read first, wherever they are in the file.
-    if (const toml::node* node = r.root().get("holder"))
-        TomlReader::each_of(*node, "holder", read_holder);
-    if (const toml::node* node = r.root().get("tool"))
-        TomlReader::each_of(*node, "tool", read_tool);
+    root.each("holder", [&](const TomlTable& t) {
+        std::string name;
+        t.read("name", name);
+        std::vector<toolpath::ToolSegment> segments = read_segments(r, t, "segments");
+        if (name.empty() || segments.empty()) r.fail(t.node(), "a holder has a name and segments");
+        if (!holders.emplace(name, std::move(segments)).second)
+            r.fail(t.node(), fmt::format("the holder '{}' is described twice", name));
+    });
+    std::vector<toolpath::ToolSpec> tools;
+    root.each("tool", [&](const TomlTable& t) {
+        toolpath::ToolSpec spec;
+        if (const toml::node* const holder = t["holder"]) {
+            const auto found = holders.find(TomlReader::text(*holder));
+            if (found == holders.end()) {
+                r.fail(*holder,
+                       fmt::format("'{}': no [[holder]] above has this name", t.name_of("holder")));
+            }
+            spec.holder = found->second;
+        }
+        if (const toml::node* const neck = t["neck"]) {
+            spec.neck_diameter = TomlReader::number(TomlReader::list(*neck)[0]);
+            spec.neck_length = TomlReader::number(TomlReader::list(*neck)[1]);
+        }
+        t.read("number", spec.number);
+        t.read("stick_out", spec.stick_out);
+        t.read("flutes", spec.length);
+        t.read("shank", spec.shank_diameter);
+        if (!t["number"]) r.fail(t.node(), "a tool has a number");
+        if (std::ranges::find(tools, spec.number, &toolpath::ToolSpec::number) != tools.end())
+            r.fail(t.node(), fmt::format("tool {} is described twice", spec.number));
+        tools.push_back(std::move(spec));
+    });
     return tools;
 }
 

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <iterator>
 #include <set>
@@ -53,101 +54,80 @@ public:
           inputs_(inputs) {}
 
     JobFile read() {
+        const TomlTable t(r_.root(), "");
         JobFile job;
         note_values(r_.root(), "", job.values);
-        // Reads a list of words, each of which has to satisfy `known`.
-        const auto words = [this](std::vector<std::string>& values, auto known,
-                                  const char* expected) {
-            return [this, &values, known, expected](const auto& n, const auto& k) {
-                values = TomlReader::texts(n);
-                if (!std::ranges::all_of(values, known))
-                    r_.fail(n, fmt::format("'{}': expected {}", k, expected));
-            };
-        };
         const auto is_reason = [](const std::string& name) {
             return name == "all" || verify::find_reason(name);
         };
-        TomlReader::Keys keys{
-            {"version",
-             [&](const auto& n, const auto&) {
-                 const auto version = n.template value<std::int64_t>();
-                 if (version != kJobVersion && version != kVersionWithoutOrigin)
-                     r_.fail(n, "this version of job files is not known; expected 2");
-                 job.has_unknown_origin = version == kVersionWithoutOrigin;
-             }},
-            {"assumed",
-             [&](const auto& n, const auto&) {
-                 for (const AssumedValue& value : assumed_values(n)) {
-                     if (value.name == "units" || value.name == "dialect") {
-                         (value.name == "units" ? job.units_assumed : job.dialect_assumed) = true;
-                     } else {
-                         job.assumed.push_back(value);
-                     }
-                 }
-             }},
-            {"program", [&](const auto& n, const auto& k) { job.program = read_program(n, k); }},
-            {"units",
-             [&](const auto& n, const auto&) { job.inches = TomlReader::text(n) == "inch"; }},
-            {"dialect", [&](const auto& n, const auto&) { job.dialect = dialect_named(n); }},
-            {"strict", into(job.strict)},
-            {"block_delete", into(job.block_delete)},
-            {"increments", into(job.increments)},
-            {"variables",
-             [&](const auto& n, const auto& k) { job.variables = read_variables(n, k); }},
-            {"compensation",
-             [&](const auto& n, const auto& k) { job.compensation = read_compensation(n, k); }},
-            {"allow", into(job.allow)},
-            {"accept",
-             words(job.accept, is_reason, "reasons for doubt, as ncsim rules lists them")},
-            {"require", into(job.require)},
-            {"start", into(job.start)},
-            {"offsets", [&](const auto& n, const auto&) { job.offsets = read_offsets(r_, n); }},
-            {"holders", into(job.holders)},
-            {"stock",
-             [&](const auto& n, const auto& k) {
-                 job.stock = n.is_string() ? read_stock_text(n, k)
-                                           : read_stock(TomlReader::table(n), k, job);
-             }},
-            {"fixture",
-             [&](const auto& n, const auto& k) {
-                 job.fixtures_specified = true;
-                 job.fixtures = read_fixtures(n, k);
-             }},
-            {"below_stock", into(job.below_stock)},
-            {"outputs", [&](const auto& n, const auto& k) { job.outputs = read_outputs(n, k); }},
-            {"setup", tables([&](const toml::node& one, const std::string& key) {
-                 job.set_ups.push_back(read_set_up(TomlReader::table(one), key));
-             })},
-            {"tool", tables([&](const toml::node& tool, const std::string& key) {
-                 toolpath::ToolEntry entry = read_tool(TomlReader::table(tool), key);
-                 const int number = entry.spec.number;
-                 if (toolpath::find_tool(job.tools, number))
-                     r_.fail(tool, fmt::format("tool {} is described twice", number));
-                 job.values[fmt::format("tool {}", number)] = {r_.place_of(tool), {}};
-                 job.tools.push_back(std::move(entry));
-             })}};
-        for (const std::string_view option : kJobOptions) {
-            std::string key(option);
-            std::ranges::replace(key, '-', '_');
-            keys[key] = [&, option](const auto& n, const auto& k) {
-                job.settings.push_back(read_option(r_, std::string(option), k, n));
-            };
+        t.read("accept", job.accept);
+        if (!std::ranges::all_of(job.accept, is_reason))
+            r_.fail(*t["accept"],
+                    "'accept': expected reasons for doubt, as ncsim rules lists them");
+        t.read("allow", job.allow);
+        for (const AssumedValue& value : assumed_values(t)) {
+            if (value.name == "units" || value.name == "dialect") {
+                (value.name == "units" ? job.units_assumed : job.dialect_assumed) = true;
+            } else {
+                job.assumed.push_back(value);
+            }
         }
-        TomlReader::each(r_.root(), "", keys);
+        t.read("below_stock", job.below_stock);
+        t.read("block_delete", job.block_delete);
+        job.compensation = read_compensation(t);
+        if (const toml::node* const n = t["dialect"]) job.dialect = dialect_named(*n);
+        job.fixtures_specified = t["fixture"] != nullptr;
+        job.fixtures = read_fixtures(t);
+        t.read("holders", job.holders);
+        t.read("increments", job.increments);
+        job.offsets = read_offsets(r_, t);
+        job.outputs = read_outputs(t);
+        if (const toml::node* const n = t["program"]) job.program = read_program(*n, "program");
+        t.read("require", job.require);
+        t.each("setup", [&](const TomlTable& one) { job.set_ups.push_back(read_set_up(one)); });
+        t.read("start", job.start);
+        if (t["stock"]) job.stock = read_stock(t, job);
+        t.read("strict", job.strict);
+        t.each("tool", [&](const TomlTable& one) {
+            toolpath::ToolEntry entry = read_tool(one);
+            const int number = entry.spec.number;
+            if (toolpath::find_tool(job.tools, number))
+                r_.fail(one.node(), fmt::format("tool {} is described twice", number));
+            job.values[fmt::format("tool {}", number)] = {r_.place_of(one.node()), {}};
+            job.tools.push_back(std::move(entry));
+        });
+        if (const toml::node* const n = t["units"]) job.inches = TomlReader::text(*n) == "inch";
+        job.variables = read_variables(t);
+        std::optional<std::int64_t> version = kJobVersion;
+        if (const toml::node* const n = t["version"]) version = n->value<std::int64_t>();
+        if (version != kJobVersion && version != kVersionWithoutOrigin)
+            r_.fail(*t["version"], "this version of job files is not known; expected 2");
+        job.has_unknown_origin = version == kVersionWithoutOrigin;
+        for (const auto& [key, node] : r_.root()) {
+            const std::string name(key.str());
+            if (is_job_option(name))
+                job.settings.push_back(read_option(r_, option_of(name), name, node));
+        }
         check_set_ups(job);
         return job;
     }
 
 private:
-    static bool is_job_option(std::string key) {
+    // Returns the option of a key: "tool-table" of "tool_table".
+    static std::string option_of(std::string key) {
         std::ranges::replace(key, '_', '-');
-        return std::ranges::find(kJobOptions, key) != std::end(kJobOptions);
+        return key;
+    }
+    static bool is_job_option(const std::string& key) {
+        return key.find('-') == std::string::npos &&
+               std::ranges::find(kJobOptions, option_of(key)) != std::end(kJobOptions);
     }
 
     // Returns the names in a list `assumed`.
-    std::vector<AssumedValue> assumed_values(const toml::node& list) const {
+    std::vector<AssumedValue> assumed_values(const TomlTable& t) const {
         std::vector<AssumedValue> values;
-        for (const toml::node& name : TomlReader::list(list))
+        if (!t["assumed"]) return values;
+        for (const toml::node& name : TomlReader::list(*t["assumed"]))
             values.push_back({TomlReader::text(name), r_.place_of(name)});
         return values;
     }
@@ -181,77 +161,65 @@ private:
         return program;
     }
 
-    std::vector<verify::Fixture> read_fixtures(const toml::node& node,
-                                               const std::string& key) const {
+    std::vector<verify::Fixture> read_fixtures(const TomlTable& t) const {
         std::vector<verify::Fixture> fixtures;
-        TomlReader::each_of(node, key, [&](const toml::node& one, const std::string&) {
-            read_fixture(r_, folder_, inputs_, one, key, fixtures);
-        });
+        t.each("fixture",
+               [&](const TomlTable& one) { read_fixture(r_, folder_, inputs_, one, fixtures); });
         return fixtures;
     }
 
-    std::map<std::string, std::string> read_outputs(const toml::node& node,
-                                                    const std::string& key) const {
+    std::map<std::string, std::string> read_outputs(const TomlTable& t) const {
         std::map<std::string, std::string> outputs;
-        TomlReader::Keys keys;
-        for (const auto& [format, ending] : kOutputs) {
-            keys[std::string(format)] = [&, format = std::string(format), ending = ending](
-                                            const toml::node& n, const std::string& k) {
-                const std::string name = TomlReader::text(n);
-                if (!name.ends_with(ending) || name.size() == ending.size())
-                    r_.fail(n, fmt::format("'{}': expected a name that ends in {}", k, ending));
-                (void)output_below(folder_, name, r_.place_of(n));
-                for (const auto& [other, same] : outputs) {
-                    if (same == name)
-                        r_.fail(n, fmt::format("'{}' is also the output of {}", name, other));
-                }
-                outputs[format] = name;
-            };
-        }
-        TomlReader::each(TomlReader::table(node), key, keys);
+        const std::string path = t.name_of("outputs");
+        t.each_key("outputs", [&](const toml::node& n, const std::string& format) {
+            const std::string name = TomlReader::text(n);
+            const std::string_view ending =
+                std::ranges::find(kOutputs, format, [](const auto& o) { return o.first; })->second;
+            if (!name.ends_with(ending) || name.size() == ending.size()) {
+                r_.fail(n, fmt::format("'{}.{}': expected a name that ends in {}", path, format,
+                                       ending));
+            }
+            (void)output_below(folder_, name, r_.place_of(n));
+            for (const auto& [other, same] : outputs) {
+                if (same == name)
+                    r_.fail(n, fmt::format("'{}' is also the output of {}", name, other));
+            }
+            outputs[format] = name;
+        });
         return outputs;
     }
 
-    JobSetUp read_set_up(const toml::table& t, const std::string& key) const {
+    JobSetUp read_set_up(const TomlTable& t) const {
         JobSetUp set_up;
-        set_up.where = r_.place_of(t);
-        TomlReader::each(
-            t, key,
-            {{"name", into(set_up.name)},
-             {"program",
-              [&](const auto& n, const auto& k) { set_up.programs = {read_program(n, k)}; }},
-             {"programs",
-              [&](const toml::node& n, const std::string& k) {
-                  for (const toml::node& one : TomlReader::list(n))
-                      set_up.programs.push_back(read_program(one, k));
-              }},
-             {"turn", [&](const auto& n, const auto&) { set_up.turn = read_turn(n); }},
-             {"move", into(set_up.move)},
-             {"points",
-              [&](const auto& n, const auto& k) {
-                  TurnAndMove motion = read_points(n, k);
-                  set_up.turn = std::move(motion.turn);
-                  set_up.move = motion.move;
-              }},
-             {"zero", into(set_up.zero)},
-             {"start", into(set_up.start)},
-             {"offsets", [&](const auto& n, const auto&) { set_up.offsets = read_offsets(r_, n); }},
-             {"variables",
-              [&](const auto& n, const auto& k) { set_up.variables = read_variables(n, k); }},
-             {"fixture",
-              [&](const auto& n, const auto& k) {
-                  set_up.fixtures_specified = true;
-                  set_up.fixtures = read_fixtures(n, k);
-              }},
-             {"below_stock", into(set_up.below_stock)},
-             {"outputs",
-              [&](const auto& n, const auto& k) { set_up.outputs = read_outputs(n, k); }},
-             {"assumed", [&](const auto& n, const auto&) { set_up.assumed = assumed_values(n); }}});
-        if (t.contains("program") && t.contains("programs"))
-            r_.fail(t, "a set-up has program or programs, not both");
-        if (set_up.programs.empty()) r_.fail(t, "a set-up needs a program");
-        if (t.contains("points") && (t.contains("turn") || t.contains("move")))
-            r_.fail(*t.get("points"), "a set-up has points, or turn and move, not both");
+        set_up.where = r_.place_of(t.node());
+        set_up.assumed = assumed_values(t);
+        t.read("below_stock", set_up.below_stock);
+        set_up.fixtures_specified = t["fixture"] != nullptr;
+        set_up.fixtures = read_fixtures(t);
+        t.read("move", set_up.move);
+        t.read("name", set_up.name);
+        set_up.offsets = read_offsets(r_, t);
+        set_up.outputs = read_outputs(t);
+        if (t["points"]) {
+            TurnAndMove motion = read_points(t.table("points"));
+            set_up.turn = std::move(motion.turn);
+            set_up.move = motion.move;
+        }
+        if (const toml::node* const n = t["program"])
+            set_up.programs = {read_program(*n, t.name_of("program"))};
+        if (const toml::node* const n = t["programs"]) {
+            for (const toml::node& one : TomlReader::list(*n))
+                set_up.programs.push_back(read_program(one, t.name_of("programs")));
+        }
+        t.read("start", set_up.start);
+        if (t["turn"]) set_up.turn = read_turn(*t["turn"]);
+        set_up.variables = read_variables(t);
+        t.read("zero", set_up.zero);
+        if (t["program"] && t["programs"])
+            r_.fail(t.node(), "a set-up has program or programs, not both");
+        if (set_up.programs.empty()) r_.fail(t.node(), "a set-up needs a program");
+        if (t["points"] && (t["turn"] || t["move"]))
+            r_.fail(*t["points"], "a set-up has points, or turn and move, not both");
         for (verify::Fixture& fixture : set_up.fixtures) {
             if (fixture.system != 0) continue;
             fixture.box.min = fixture.box.min - set_up.zero;
@@ -290,20 +258,16 @@ private:
         }
     }
 
-    TurnAndMove read_points(const toml::node& node, const std::string& key) const {
+    TurnAndMove read_points(const TomlTable& t) const {
         std::array<Vec3, 3> before{}, now{};
-        const auto three = [](std::array<Vec3, 3>& points) {
-            return [&points](const toml::node& n, const std::string&) {
-                std::ranges::transform(TomlReader::list(n), points.begin(), TomlReader::vector);
-            };
-        };
-        const toml::table& table = TomlReader::table(node);
-        TomlReader::each(table, key, {{"before", three(before)}, {"now", three(now)}});
-        if (table.size() != 2) r_.fail(node, fmt::format("'{}': expected before and now", key));
+        t.read("before", before);
+        t.read("now", now);
+        if (!t["before"] || !t["now"])
+            r_.fail(t.node(), fmt::format("'{}': expected before and now", t.name()));
         try {
             return motion_of(before, now);
         } catch (const std::invalid_argument& e) {
-            r_.fail(node, fmt::format("'{}': {}", key, e.what()));
+            r_.fail(t.node(), fmt::format("'{}': {}", t.name(), e.what()));
         }
     }
 
@@ -322,141 +286,118 @@ private:
                                   [](gcode::Dialect dialect) { return gcode::name_of(dialect); });
     }
 
-    std::map<std::string, double> read_variables(const toml::node& node,
-                                                 const std::string& key) const {
+    std::map<std::string, double> read_variables(const TomlTable& t) const {
         std::map<std::string, double> variables;
-        for (const auto& [name, value] : TomlReader::table(node)) {
-            const std::string where = fmt::format("{}.{}", key, name.str());
-            const auto variable = variable_name(name.str());
-            if (!variable)
-                r_.fail(value,
-                        fmt::format("'{}': expected \"#500\", \"#<_name>\", R5 or Q5", where));
-            variables.emplace(*variable, TomlReader::number(value));
-        }
+        t.each_key("variables", [&](const toml::node& node, const std::string& name) {
+            const auto variable = variable_name(name);
+            if (!variable) {
+                r_.fail(node, fmt::format("'{}.{}': expected \"#500\", \"#<_name>\", R5 or Q5",
+                                          t.name_of("variables"), name));
+            }
+            variables.emplace(*variable, TomlReader::number(node));
+        });
         return variables;
     }
 
-    std::map<int, double> read_compensation(const toml::node& node, const std::string& key) const {
+    std::map<int, double> read_compensation(const TomlTable& t) const {
         std::map<int, double> radii;
-        for (const auto& [name, value] : TomlReader::table(node)) {
-            const std::string where = fmt::format("{}.{}", key, name.str());
-            const auto number = compensation_register(name.str());
-            if (!number) r_.fail(value, fmt::format("'{}': expected a register, as D1", where));
-            radii.emplace(*number, TomlReader::number(value));
-        }
+        t.each_key("compensation", [&](const toml::node& node, const std::string& name) {
+            const auto number = compensation_register(name);
+            if (!number)
+                r_.fail(node, fmt::format("'compensation.{}': expected a register, as D1", name));
+            radii.emplace(*number, TomlReader::number(node));
+        });
         return radii;
     }
 
-    toolpath::Stock read_stock_from_file(const toml::table& t, const std::string& key) const {
+    toolpath::Stock read_stock(const TomlTable& root, JobFile& job) const {
+        const toml::node& node = *root["stock"];
+        if (node.is_table()) {
+            const TomlTable t = root.table("stock");
+            return t["file"] ? read_stock_from_file(t) : read_box(t, job);
+        }
+        std::string message;
+        auto stock = toolpath::parse_stock_option(TomlReader::text(node), message);
+        if (!stock) r_.fail(node, fmt::format("'stock': {}", message));
+        return *stock;
+    }
+
+    toolpath::Stock read_stock_from_file(const TomlTable& t) const {
         toolpath::StockFile from;
-        TomlReader::each(
-            t, key,
-            {{"file",
-              [&](const auto& n, const auto&) {
-                  from.path = TomlReader::text(n);
-                  if (!is_stock_file(from.path))
-                      r_.fail(n, "expected a file .stl, .obj, .glb, .wrl, .step or .ncstock");
-              }},
-             {"turn", [&](const auto& n, const auto&) { from.turn = read_turn(n); }},
-             {"move", into(from.move)}});
+        t.read("file", from.path);
+        if (!is_stock_file(from.path))
+            r_.fail(*t["file"], "expected a file .stl, .obj, .glb, .wrl, .step or .ncstock");
+        t.read("move", from.move);
+        if (t["turn"]) from.turn = read_turn(*t["turn"]);
         toolpath::Stock stock;
         stock.from = std::move(from);
         return stock;
     }
 
-    toolpath::Stock read_stock_text(const toml::node& node, const std::string& key) const {
-        std::string message;
-        auto stock = toolpath::parse_stock_option(TomlReader::text(node), message);
-        if (!stock) r_.fail(node, fmt::format("'{}': {}", key, message));
-        return *stock;
-    }
-
-    toolpath::Stock read_stock(const toml::table& t, const std::string& key, JobFile& job) const {
-        if (t.contains("file")) return read_stock_from_file(t, key);
+    toolpath::Stock read_box(const TomlTable& t, JobFile& job) const {
         std::optional<Vec3> min, max;
+        std::string axis = "Z";
         toolpath::Stock stock;
-        TomlReader::each(
-            t, key,
-            {{"assumed",
-              [&](const auto& n, const auto&) {
-                  for (const AssumedValue& value : assumed_values(n))
-                      (value.name == "size" ? job.stock_assumed : job.stock_place_assumed) = true;
-              }},
-             {"min", into(min)},
-             {"max", into(max)},
-             {"axis",
-              [&](const auto& n, const auto&) { stock.axis = TomlReader::text(n)[0] - 'X'; }},
-             {"round", into(stock.is_round)}});
-        if (!min || !max) r_.fail(t, "a stock has two corners, min and max");
+        for (const AssumedValue& value : assumed_values(t))
+            (value.name == "size" ? job.stock_assumed : job.stock_place_assumed) = true;
+        t.read("axis", axis);
+        t.read("max", max);
+        t.read("min", min);
+        t.read("round", stock.is_round);
+        stock.axis = axis[0] - 'X';
+        if (!min || !max) r_.fail(t.node(), "a stock has two corners, min and max");
         if (!(min->x < max->x && min->y < max->y && min->z < max->z)) {
-            r_.fail(*t.get("max"), "each number of max must be larger than that of min");
+            r_.fail(*t["max"], "each number of max must be larger than that of min");
         }
         stock.box.add(*min), stock.box.add(*max);
         const Vec3 size = stock.box.size();
         const int across = (stock.axis + 1) % 3, up = (stock.axis + 2) % 3;
         if (stock.is_round && std::abs(size[across] - size[up]) > 1e-9 * size[across]) {
-            r_.fail(*t.get("max"), fmt::format("a round stock along {} is as wide in {} as in {}",
-                                               "XYZ"[stock.axis], "XYZ"[std::min(across, up)],
-                                               "XYZ"[std::max(across, up)]));
+            r_.fail(*t["max"], fmt::format("a round stock along {} is as wide in {} as in {}",
+                                           "XYZ"[stock.axis], "XYZ"[std::min(across, up)],
+                                           "XYZ"[std::max(across, up)]));
         }
         return stock;
     }
 
-    toolpath::ToolPiece read_piece(const toml::node& node, const std::string& key) const {
+    toolpath::ToolPiece read_piece(const TomlTable& t) const {
         toolpath::ToolPiece piece;
-        TomlReader::each(
-            TomlReader::table(node), key,
-            {{"cutting", into(piece.cutting)},
-             {"profile", [&](const toml::node& n, const std::string&) {
-                  double height = 0.0;
-                  for (const toml::node& corner : TomlReader::list(n)) {
-                      const Vec3 v = TomlReader::vector(corner);
-                      if (v.x < 0 || v.y < height || v.z < 0) {
-                          r_.fail(corner,
-                                  "expected [radius, height, fillet] from the lower end to the "
-                                  "upper");
-                      }
-                      height = v.y;
-                      piece.profile.push_back({v.x, v.y, v.z});
-                  }
-                  if (piece.profile.empty()) r_.fail(n, "a profile has corners");
-              }}});
-        if (piece.profile.empty()) r_.fail(node, "a piece of a tool has a profile");
+        t.read("cutting", piece.cutting);
+        if (!t["profile"]) r_.fail(t.node(), "a piece of a tool has a profile");
+        double height = 0.0;
+        for (const toml::node& corner : TomlReader::list(*t["profile"])) {
+            const Vec3 v = TomlReader::vector(corner);
+            if (v.x < 0 || v.y < height || v.z < 0) {
+                r_.fail(corner,
+                        "expected [radius, height, fillet] from the lower end to the upper");
+            }
+            height = v.y;
+            piece.profile.push_back({v.x, v.y, v.z});
+        }
+        if (piece.profile.empty()) r_.fail(*t["profile"], "a profile has corners");
         return piece;
     }
 
-    toolpath::ToolEntry read_tool(const toml::table& t, const std::string& where) const {
+    toolpath::ToolEntry read_tool(const TomlTable& t) const {
         toolpath::ToolEntry entry;
         toolpath::ToolSpec& spec = entry.spec;
-        TomlReader::Keys keys{
-            {"number", into(spec.number)},
-            {"kind",
-             [&](const auto& n, const auto&) {
-                 spec.kind =
-                     std::ranges::find(kKindKeys, TomlReader::text(n), [](const auto& kind) {
-                         return kind.first;
-                     })->second;
-             }},
-            {"offset", into(entry.offset)},
-            {"description", into(spec.description)},
-            {"assumed", into(spec.assumed)},
-            {"piece", tables([&](const toml::node& piece, const std::string& key) {
-                 spec.pieces.push_back(read_piece(piece, key));
-             })}};
+        t.read("assumed", spec.assumed);
+        t.read("description", spec.description);
+        if (const toml::node* const n = t["kind"]) {
+            const auto kind = [](const auto& known) { return known.first; };
+            spec.kind = std::ranges::find(kKindKeys, TomlReader::text(*n), kind)->second;
+        }
+        t.read("number", spec.number);
+        t.read("offset", entry.offset);
         for (const NamedValue& named : kValueKeys)
-            keys[named.name] = into(spec.*named.value);
-        for (const NamedSegments& named : kSegmentKeys) {
-            keys[named.name] = [&, value = named.value](const auto& n, const auto& k) {
-                spec.*value = read_segments(r_, n, k);
-            };
-        }
-        TomlReader::each(t, where, keys);
-        if (!t.contains("number")) {
-            r_.fail(t, "a tool has a number, 0 for a program that calls none");
-        }
-        if (!toolpath::is_complete(spec)) r_.fail(t, "a tool needs a diameter above 0");
+            t.read(named.name, spec.*named.value);
+        for (const NamedSegments& named : kSegmentKeys)
+            spec.*named.value = read_segments(r_, t, named.name);
+        t.each("piece", [&](const TomlTable& piece) { spec.pieces.push_back(read_piece(piece)); });
+        if (!t["number"]) r_.fail(t.node(), "a tool has a number, 0 for a program that calls none");
+        if (!toolpath::is_complete(spec)) r_.fail(t.node(), "a tool needs a diameter above 0");
         entry.specified_by = toolpath::ValueSource::Table;
-        entry.span = {static_cast<std::uint32_t>(t.source().begin.line), 1, 0};
+        entry.span = {static_cast<std::uint32_t>(t.node().source().begin.line), 1, 0};
         entry.text = spec.description;
         entry.file = base_name(r_.name());
         return entry;

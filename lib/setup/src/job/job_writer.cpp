@@ -22,6 +22,9 @@
 
 namespace ncsim::setup {
 
+// Forms of a first job: the beginning, and a set-up.
+extern const std::string_view kFirstJob, kFirstSetUp;
+
 namespace {
 
 using toolpath::ToolKind;
@@ -52,18 +55,39 @@ std::string_view key_of(ToolKind kind) {
         ->first;
 }
 
-// Writes a list of texts, unless it is empty.
-void write_list(std::ostream& out, const char* key, const std::vector<std::string>& words) {
-    if (words.empty()) return;
-    out << key << " = [";
-    for (std::size_t i = 0; i < words.size(); ++i)
-        out << (i == 0 ? "" : ", ") << quoted(words[i]);
-    out << "]\n";
+// Returns the line of a list of texts; empty for an empty list.
+std::string list_line(const char* key, const std::vector<std::string>& words) {
+    std::vector<std::string> texts(words.size());
+    std::ranges::transform(words, texts.begin(), quoted);
+    return words.empty() ? "" : fmt::format("{} = [{}]\n", key, fmt::join(texts, ", "));
+}
+
+// Adds the assumed values of the whole job to `assumed`.
+std::vector<std::string> assumed_of(const JobFile& file, std::vector<std::string> assumed) {
+    if (file.units_assumed) assumed.emplace_back("units");
+    if (file.dialect_assumed) assumed.emplace_back("dialect");
+    return assumed;
+}
+
+const char* units_of(const JobFile& file) {
+    return file.inches.value_or(false) ? "inch" : "mm";
+}
+
+std::string_view dialect_of(const JobFile& file) {
+    return gcode::name_of(file.dialect.value_or(gcode::Dialect::Auto));
+}
+
+// Returns the keys of a part that is turned over after the previous set-up. `height`: of the stock.
+std::string turned_over(double height) {
+    return fmt::format(
+        "# Position of the part: the part of the last set-up, turned about its zero, then moved.\n"
+        "turn = \"X180\"\nmove = {}\n",
+        triple({0.0, 0.0, -height}));
 }
 
 void write_tool(std::ostream& out, const ToolSpec& spec, Vec3 offset) {
     out << "[[tool]]\nnumber = " << spec.number << '\n';
-    write_list(out, "assumed", spec.assumed);
+    out << list_line("assumed", spec.assumed);
     if (spec.kind) out << "kind = \"" << key_of(*spec.kind) << "\"\n";
     for (const NamedValue& named : kValueKeys) {
         if (const auto& value = spec.*named.value) {
@@ -126,7 +150,7 @@ void write_stock_and_tools(std::ostream& out, const JobFile& file, const JobRema
         std::vector<std::string> assumed_of_stock;
         if (file.stock_assumed) assumed_of_stock.emplace_back("size");
         if (file.stock_place_assumed) assumed_of_stock.emplace_back("place");
-        write_list(out, "assumed", assumed_of_stock);
+        out << list_line("assumed", assumed_of_stock);
         write_stock(out, *file.stock);
     }
     for (std::size_t i = 0; i < file.tools.size(); ++i) {
@@ -151,25 +175,22 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
         << "# Values that are named in a list \"assumed\" were not specified: correct them and "
            "remove the name.\n"
         << "version = " << kJobVersion << '\n';
-    std::vector<std::string> assumed;
-    if (file.units_assumed) assumed.emplace_back("units");
-    if (file.dialect_assumed) assumed.emplace_back("dialect");
-    write_list(out, "assumed", assumed);
+    out << list_line("assumed", assumed_of(file, {}));
     if (!file.program.empty()) out << "program = " << quoted(file.program) << '\n';
     for (const OptionSetting& setting : file.settings)
         out << setting.option << " = " << quoted(setting.values.at(0)) << '\n';
-    out << "units = \"" << (file.inches.value_or(false) ? "inch" : "mm")
+    out << "units = \"" << units_of(file)
         << "\"  # where neither G20 nor G21 stands before the first length\ndialect = \""
-        << gcode::name_of(file.dialect.value_or(gcode::Dialect::Auto)) << "\"\n";
+        << dialect_of(file) << "\"\n";
     if (file.strict) out << "strict = true\n";
     const auto flag = [&out](const char* key, const std::optional<bool>& value) {
         if (value) out << key << (*value ? " = true\n" : " = false\n");
     };
     flag("increments", file.increments);
     flag("block_delete", file.block_delete);
-    write_list(out, "allow", file.allow);
-    write_list(out, "accept", file.accept);
-    write_list(out, "require", file.require);
+    out << list_line("allow", file.allow);
+    out << list_line("accept", file.accept);
+    out << list_line("require", file.require);
     if (file.start) out << "start = " << triple(*file.start) << "  # in G54\n";
     if (file.below_stock) out << "below_stock = " << number(*file.below_stock) << '\n';
     if (file.fixtures_specified && file.fixtures.empty()) out << "fixture = []\n";
@@ -213,62 +234,28 @@ void write_tool_table(std::ostream& out, const std::vector<toolpath::ToolEntry>&
 
 void write_first_job(std::ostream& out, const JobFile& file, const JobRemarks& remarks,
                      const std::vector<FirstSetUp>& set_ups) {
-    out << "#:schema /usr/share/doc/ncsim/docs/schemas/job.schema.json\n"
-           "# Written by ncsim init. Lengths in mm, angles in degrees.\n"
-           "#\n"
-           "# A name in a list \"assumed\" stands for a value that no file specifies. Measure the "
-           "value at\n"
-           "# the machine, correct it here, and remove the name. Until then ncsim check says \"not "
-           "proven\".\n"
-        << "version = " << kJobVersion << '\n';
-    std::vector<std::string> assumed{"machine"};
-    if (file.units_assumed) assumed.emplace_back("units");
-    if (file.dialect_assumed) assumed.emplace_back("dialect");
-    write_list(out, "assumed", assumed);
-    out << "units = \"" << (file.inches.value_or(false) ? "inch" : "mm")
-        << "\"  # where neither G20 nor G21 stands before the first length\n"
-        << "dialect = \"" << gcode::name_of(file.dialect.value_or(gcode::Dialect::Auto))
-        << "\"  # the control: rs274 (LinuxCNC), fanuc, haas, grbl, mach3\n"
-        << "# The machine: travels, rates, kinematics. Without a machine, remove the name above.\n"
-           "#machine = \"mill.toml\"\n"
-           "# What has to be known for a clean check:\n"
-           "#require = [\"holder\", \"fixtures\", \"travels\", \"offsets\"]\n"
-           "# Files of ncsim run, below the folder of this file:\n"
-           "#outputs = { png = \"part.png\", step = \"part.step\" }\n";
+    out << fmt::format(fmt::runtime(kFirstJob), fmt::arg("version", kJobVersion),
+                       fmt::arg("assumed", list_line("assumed", assumed_of(file, {"machine"}))),
+                       fmt::arg("units", units_of(file)), fmt::arg("dialect", dialect_of(file)));
     if (file.stock) {
         out << "\n# Measure the blank. Its corners are in the frame of the first set-up: distances "
                "from the\n# program zero. A file: file = \"blank.stl\".";
     }
     write_stock_and_tools(out, file, remarks);
-    for (std::size_t i = 0; i < set_ups.size(); ++i) {
-        const FirstSetUp& set_up = set_ups[i];
-        out << "\n[[setup]]\nname = " << quoted(set_up.name)
-            << "\nprogram = " << quoted(set_up.program) << '\n';
+    for (const FirstSetUp& set_up : set_ups) {
+        const bool is_first = &set_up == &set_ups.front();
         std::vector<std::string> open;
         if (!set_up.start_is_specified) open.emplace_back("start");
         open.emplace_back("fixtures");
-        if (i > 0) open.emplace_back("place");
-        write_list(out, "assumed", open);
-        out << "# Position of the tool when the program starts, from the zero of G54.\n"
-            << "start = " << triple(set_up.start) << '\n';
-        if (i > 0) {
-            out << "# Position of the part: the part of the last set-up, turned about its zero, "
-                   "then "
-                   "moved.\n"
-                << "turn = \"X180\"\nmove = " << triple({0.0, 0.0, -set_up.height}) << '\n';
-        }
-        out << "# Origin of " << set_up.zero
-            << " in machine coordinates, from the offset table of the control.\n#offsets = { "
-            << (set_up.zero.find(' ') == std::string::npos ? set_up.zero : quoted(set_up.zero))
-            << " = [-250.0, -200.0, -300.0] }\n"
-               "# Fixtures, in the frame of the program. None: keep the empty list.\n"
-               "fixture = []\n"
-               "#[[setup.fixture]]  # instead of fixture = []\n"
-               "#vise = { at = [0, 0, -40], along = \"Y\", opening = 50, jaw_width = 120, "
-               "jaw_height = 30, jaw_depth = 25 }\n"
-               "#[[setup.fixture]]\n"
-               "#clamp = { at = [-40, 0, 0], toward = \"-X\", length = 80, width = 25, height = "
-               "15, table = -20, heel = 20, bolt = [40, 20, 18] }\n";
+        if (!is_first) open.emplace_back("place");
+        const bool is_key = set_up.zero.find(' ') == std::string::npos;
+        out << fmt::format(fmt::runtime(kFirstSetUp), fmt::arg("name", quoted(set_up.name)),
+                           fmt::arg("program", quoted(set_up.program)),
+                           fmt::arg("assumed", list_line("assumed", open)),
+                           fmt::arg("start", triple(set_up.start)),
+                           fmt::arg("place", is_first ? std::string() : turned_over(set_up.height)),
+                           fmt::arg("zero", set_up.zero),
+                           fmt::arg("key", is_key ? set_up.zero : quoted(set_up.zero)));
     }
 }
 

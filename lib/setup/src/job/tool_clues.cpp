@@ -10,7 +10,6 @@
 #include <cmath>
 #include <iterator>
 #include <span>
-#include <utility>
 #include <variant>
 #include <vector>
 

@@ -10,8 +10,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 namespace ncsim::setup {
@@ -37,36 +38,28 @@ Box box_along(int axis, Vec3 at, Vec3 low, Vec3 high) {
     return box;
 }
 
-const toml::node& required(const TomlReader& r, const toml::table& t, const std::string& where,
-                           const char* key) {
-    const toml::node* const node = t.get(key);
-    if (!node) r.fail(t, fmt::format("'{}' needs {}", where, key));
-    return *node;
+// Throws the error of the first missing key.
+void require(const TomlReader& r, const TomlTable& t, std::initializer_list<const char*> keys) {
+    for (const char* key : keys) {
+        if (!t[key]) r.fail(t.node(), fmt::format("'{}' needs {}", t.name(), key));
+    }
 }
 
-std::vector<NamedBox> read_vise(const TomlReader& r, const toml::node& node,
-                                const std::string& key) {
-    const toml::table& t = TomlReader::table(node);
+std::vector<NamedBox> read_vise(const TomlReader& r, const TomlTable& t) {
     Vec3 at;
     std::string along = "Y";
     double opening = 0.0, width = 0.0, height = 0.0, depth = 0.0, base = 0.0;
-    std::optional<std::pair<double, double>> parallels;
-    TomlReader::each(t, key,
-                     {{"at", into(at)},
-                      {"along", into(along)},
-                      {"opening", into(opening)},
-                      {"jaw_width", into(width)},
-                      {"jaw_height", into(height)},
-                      {"jaw_depth", into(depth)},
-                      {"base_height", into(base)},
-                      {"parallels", [&](const toml::node& n, const std::string&) {
-                           const toml::array& two = TomlReader::list(n);
-                           parallels.emplace(TomlReader::number(two[0]),
-                                             TomlReader::number(two[1]));
-                       }}});
+    std::optional<std::array<double, 2>> parallels;
+    require(r, t, {"at", "opening", "jaw_width", "jaw_height", "jaw_depth"});
+    t.read("at", at);
+    t.read("along", along);
+    t.read("opening", opening);
+    t.read("jaw_width", width);
+    t.read("jaw_height", height);
+    t.read("jaw_depth", depth);
+    t.read("base_height", base);
+    t.read("parallels", parallels);
     const int axis = along[0] - 'X';
-    for (const char* name : {"at", "opening", "jaw_width", "jaw_height", "jaw_depth"})
-        (void)required(r, t, key, name);
     const double half = opening / 2, end = half + depth, side = width / 2;
     std::vector<NamedBox> parts{
         {"fixed jaw", box_along(axis, at, {-end, -side, 0}, {-half, side, height})},
@@ -76,10 +69,9 @@ std::vector<NamedBox> read_vise(const TomlReader& r, const toml::node& node,
     if (parallels) {
         const auto& [thick, high] = *parallels;
         if (2 * thick > opening)
-            r.fail(*t.get("parallels"), "the parallels are wider than the opening");
+            r.fail(*t["parallels"], "the parallels are wider than the opening");
         if (high >= height)
-            r.fail(*t.get("parallels"),
-                   "the parallels are as high as the jaws: nothing is clamped");
+            r.fail(*t["parallels"], "the parallels are as high as the jaws: nothing is clamped");
         parts.push_back(
             {"parallel", box_along(axis, at, {-half, -side, 0}, {thick - half, side, high})});
         parts.push_back(
@@ -88,31 +80,27 @@ std::vector<NamedBox> read_vise(const TomlReader& r, const toml::node& node,
     return parts;
 }
 
-std::vector<NamedBox> read_clamp(const TomlReader& r, const toml::node& node,
-                                 const std::string& key) {
-    const toml::table& t = TomlReader::table(node);
+std::vector<NamedBox> read_clamp(const TomlReader& r, const TomlTable& t) {
     Vec3 at;
     std::string toward = "+X";
     double length = 0.0, width = 0.0, height = 0.0, heel = 0.0;
     std::optional<double> table;
     std::optional<Vec3> bolt;
-    TomlReader::each(t, key,
-                     {{"at", into(at)},
-                      {"toward", into(toward)},
-                      {"length", into(length)},
-                      {"width", into(width)},
-                      {"height", into(height)},
-                      {"heel", into(heel)},
-                      {"table", into(table)},
-                      {"bolt", into(bolt)}});
+    require(r, t, {"at", "toward", "length", "width", "height"});
+    t.read("at", at);
+    t.read("toward", toward);
+    t.read("length", length);
+    t.read("width", width);
+    t.read("height", height);
+    t.read("heel", heel);
+    t.read("table", table);
+    t.read("bolt", bolt);
     const int axis = toward[1] - 'X';
     const double sign = toward[0] == '-' ? -1.0 : 1.0;
-    for (const char* name : {"at", "toward", "length", "width", "height"})
-        (void)required(r, t, key, name);
     if (table && *table >= at.z)
-        r.fail(*t.get("table"), "the table is at the height of the clamp or above");
-    if ((heel > 0.0) != table.has_value()) r.fail(t, "heel and table belong together");
-    if (heel > length) r.fail(*t.get("heel"), "the heel is longer than the clamp");
+        r.fail(*t["table"], "the table is at the height of the clamp or above");
+    if ((heel > 0.0) != table.has_value()) r.fail(t.node(), "heel and table belong together");
+    if (heel > length) r.fail(*t["heel"], "the heel is longer than the clamp");
     const double side = width / 2;
     const double floor = table ? *table - at.z : 0.0;
     std::vector<NamedBox> parts{
@@ -123,7 +111,7 @@ std::vector<NamedBox> read_clamp(const TomlReader& r, const toml::node& node,
     }
     if (bolt) {
         const double nut = bolt->y / 2;
-        if (bolt->x + nut > length) r.fail(*t.get("bolt"), "the bolt is outside the clamp");
+        if (bolt->x + nut > length) r.fail(*t["bolt"], "the bolt is outside the clamp");
         parts.push_back({"bolt", box_along(axis, at, {sign * bolt->x - nut, -nut, floor},
                                            {sign * bolt->x + nut, nut, height + bolt->z})});
     }
@@ -133,63 +121,49 @@ std::vector<NamedBox> read_clamp(const TomlReader& r, const toml::node& node,
 }  // namespace
 
 void read_fixture(const TomlReader& r, const std::string& folder, InputSet& inputs,
-                  const toml::node& node, const std::string& key,
-                  std::vector<verify::Fixture>& fixtures) {
+                  const TomlTable& t, std::vector<verify::Fixture>& fixtures) {
     verify::Fixture fixture;
-    MeshKeys mesh(r, folder, inputs);
     std::vector<NamedBox> parts;
     std::string kind = "fixture";
-    int shapes = 0;
-    const auto take_mesh = [&](const auto& n, const auto& k) {
-        mesh.take_mesh(n, k);
-        ++shapes;
-    };
-    const auto take_parts = [&](const char* of, auto read_parts) {
-        return [&, of, read_parts](const toml::node& n, const std::string& k) {
-            parts = read_parts(r, n, k);
-            kind = of;
-            ++shapes;
-        };
-    };
-    TomlReader::each(TomlReader::table(node), key,
-                     {{"name", into(fixture.name)},
-                      {"mesh", take_mesh},
-                      {"stl", take_mesh},  // alternative name
-                      {"scale", [&](const auto& n, const auto&) { mesh.take_scale(n); }},
-                      {"hull", [&](const auto& n, const auto&) { mesh.take_hull(n); }},
-                      {"clearance", into(fixture.clearance_mm)},
-                      {"offset",
-                       [&](const auto& n, const auto& k) {
-                           const auto system = system_named(TomlReader::text(n));
-                           if (!system)
-                               r.fail(n, fmt::format("'{}': expected a system such as \"G55\"", k));
-                           fixture.system = *system;
-                       }},
-                      {"vise", take_parts("vise", read_vise)},
-                      {"clamp", take_parts("clamp", read_clamp)},
-                      {"box", [&](const toml::node& n, const std::string& k) {
-                           ++shapes;
-                           const toml::array& corners = TomlReader::list(n);
-                           fixture.box.add(TomlReader::vector(corners[0]));
-                           fixture.box.add(TomlReader::vector(corners[1]));
-                           const Vec3 size = fixture.box.size();
-                           if (size.x <= 0.0 || size.y <= 0.0 || size.z <= 0.0) {
-                               r.fail(n, fmt::format("'{}': the box has no volume", k));
-                           }
-                       }}});
-    if (auto file = mesh.finish()) {
-        fixture.mesh = std::move(file->mesh);
-        fixture.deflection_mm = file->deflection_mm;
-        fixture.assumed = std::move(file->assumed);
-        fixture.mesh_at = mesh.place();
-        fixture.as_hull = mesh.as_hull();
+    if (const toml::node* const box = t["box"]) {
+        const auto corners = TomlReader::value<std::array<Vec3, 2>>(*box);
+        for (const Vec3& corner : corners)
+            fixture.box.add(corner);
+        const Vec3 size = fixture.box.size();
+        if (size.x <= 0.0 || size.y <= 0.0 || size.z <= 0.0)
+            r.fail(*box, fmt::format("'{}': the box has no volume", t.name_of("box")));
+    }
+    for (const char* const shape : {"clamp", "vise"}) {
+        if (!t[shape]) continue;
+        kind = shape;
+        parts = kind == "vise" ? read_vise(r, t.table(shape)) : read_clamp(r, t.table(shape));
+    }
+    t.read("clearance", fixture.clearance_mm);
+    t.read("name", fixture.name);
+    if (const toml::node* const offset = t["offset"]) {
+        const auto system = system_named(TomlReader::text(*offset));
+        if (!system) {
+            r.fail(*offset,
+                   fmt::format("'{}': expected a system such as \"G55\"", t.name_of("offset")));
+        }
+        fixture.system = *system;
+    }
+    if (auto mesh = read_mesh(r, folder, inputs, t)) {
+        fixture.mesh = std::move(mesh->file.mesh);
+        fixture.deflection_mm = mesh->file.deflection_mm;
+        fixture.assumed = std::move(mesh->file.assumed);
+        fixture.mesh_at = std::move(mesh->place);
+        fixture.as_hull = mesh->as_hull;
         for (const Vec3& v : fixture.mesh.vertices)
             fixture.box.add(v);
     }
-    if (shapes == 0) r.fail(node, "a fixture needs a box or a mesh, a vise or a clamp");
+    const auto shapes = std::ranges::count_if(std::array{"box", "clamp", "mesh", "stl", "vise"},
+                                              [&t](const char* key) { return t[key] != nullptr; });
+    if (shapes == 0) r.fail(t.node(), "a fixture needs a box or a mesh, a vise or a clamp");
     if (shapes > 1) {
-        r.fail(node, parts.empty() ? "a fixture has a box or a mesh, not both"
-                                   : "a fixture has one shape: a box, a mesh, a vise or a clamp");
+        r.fail(t.node(), parts.empty()
+                             ? "a fixture has a box or a mesh, not both"
+                             : "a fixture has one shape: a box, a mesh, a vise or a clamp");
     }
     if (fixture.name.empty()) fixture.name = kind;
     if (parts.empty()) {

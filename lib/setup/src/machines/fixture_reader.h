@@ -34,7 +34,6 @@ namespace ncsim::setup {
 ///
 /// Throws: std::runtime_error with file, line and column.
 void read_fixture(const TomlReader& r, const std::string& folder, InputSet& inputs,
-                  const toml::node& node, const std::string& key,
-                  std::vector<verify::Fixture>& fixtures);
+                  const TomlTable& t, std::vector<verify::Fixture>& fixtures);
 
 }  // namespace ncsim::setup

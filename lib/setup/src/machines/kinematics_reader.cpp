@@ -3,15 +3,15 @@
 // Reads presets, links and functions of the control in a machine file.
 #include "machines/kinematics_reader.h"
 
+#include "ncsim/base/ascii.h"
 #include "ncsim/base/number_text.h"
 #include "ncsim/machine/presets.h"
-
-#include "meshes/mesh_keys.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <string_view>
 
 namespace ncsim::setup {
@@ -23,15 +23,12 @@ using gcode::Coordinates;
 constexpr std::size_t kMostLinks = 100;
 constexpr std::string_view kBed = "bed";
 
-// Reads X, Y, Z, A, B or C.
-std::optional<char> axis_named(std::string_view name) {
-    if (name.size() != 1 || std::string_view("XYZABC").find(name[0]) == std::string_view::npos)
-        return std::nullopt;
-    return name[0];
-}
-
 bool turns(char letter) {
     return letter <= 'C';
+}
+
+std::size_t index_of(char rotary_axis) {
+    return static_cast<std::size_t>(rotary_axis - 'A');
 }
 
 Coordinates tip_or_axes(std::string_view mode) {
@@ -69,263 +66,204 @@ std::optional<std::array<std::uint8_t, 3>> colour_named(std::string_view text) {
 
 }  // namespace
 
-void KinematicsReader::take_preset(const toml::node& node, const std::string&) {
-    preset_ = Name{&node, TomlReader::text(node)};
+void KinematicsReader::read(const TomlTable& root) {
+    along_tool_ = name_at(root, "along_tool");
+    assumed_ = name_at(root, "assumed");
+    read_clamps(root);
+    control_node_ = root["control"];
+    read_control(root.table("control"));
+    root.each("link", [this](const TomlTable& link) { read_link(link); });
+    part_ = name_at(root.table("part"), "link");
+    pivots_node_ = root["pivot"];
+    root.each_key("pivot", [this](const toml::node& node, const std::string& axis) {
+        pivots_[axis[0]] = TomlReader::vector(node);
+    });
+    preset_ = name_at(root, "preset");
+    tool_ = name_at(root.table("spindle"), "link");
+    read_travels(root.table("travel"));
+    root.each_key("way", [this](const toml::node& node, const std::string& axis) {
+        file_.rotary_ways[index_of(axis[0])] = way_of(node);
+    });
+    file_.kinematics = kinematics();
+    for (const Link& link : links_)
+        add_body(link);
+    if (part_) file_.part_link = part_->name;
+    if (tool_) file_.tool_link = tool_->name;
+    if (part_ && !links_.empty()) file_.part_moved_by = moved_by(*part_);
+    if (tool_ && !links_.empty()) file_.tool_moved_by = moved_by(*tool_);
 }
 
-void KinematicsReader::take_pivots(const toml::node& node, const std::string& key) {
-    pivots_node_ = &node;
-    for (const auto& [name, value] : TomlReader::table(node)) {
-        const auto letter = axis_named(name.str());
-        if (!letter || !turns(*letter))
-            r_.fail(value, fmt::format("'{}.{}': expected A, B or C", key, name.str()));
-        pivots_[*letter] = TomlReader::vector(value);
-    }
+// Returns a text with its place; empty if the table does not have the key.
+std::optional<KinematicsReader::Name> KinematicsReader::name_at(const TomlTable& t,
+                                                                std::string_view key) const {
+    const toml::node* const node = t[key];
+    return node ? std::optional(Name{node, TomlReader::text(*node)}) : std::nullopt;
 }
 
-void KinematicsReader::take_along_tool(const toml::node& node, const std::string&) {
-    along_tool_ = Name{&node, TomlReader::text(node)};
-}
-
-void KinematicsReader::take_control(const toml::node& node, const std::string& key) {
-    control_node_ = &node;
-    // Accepts the word `built`; the word `other` is valid but not simulated.
-    const auto choose = [this](std::string_view built, std::string_view other, const auto& done) {
-        return [this, built, other, done](const toml::node& n, const std::string& k) {
-            const std::string word = TomlReader::text(n);
-            if (word == other)
-                r_.fail(n,
-                        fmt::format("'{}': \"{}\" is not simulated, only \"{}\"", k, other, built));
-            if (word != built) r_.fail(n, fmt::format("'{}': expected \"{}\"", k, built));
-            done();
-        };
-    };
-    const TomlReader::Take m_codes = [this](const toml::node& n, const std::string& k) {
-        for (const auto& [name, value] : TomlReader::table(n)) {
-            constexpr int kFree = 100;
-            const auto number = m_code_named(name.str(), kFree);
-            const std::string whole = fmt::format("{}.{}", k, name.str());
-            if (!number) r_.fail(value, fmt::format("'{}': expected M100 to M9999", whole));
-            control_.m_codes[*number] = tip_or_axes(TomlReader::text(value));
+void KinematicsReader::read_control(const TomlTable& t) {
+    gcode::TipControl& control = file_.tip_control;
+    // True if a key has the word `built`; the word `other` is valid but not simulated.
+    const auto is_built = [this, &t](const char* key, std::string_view built,
+                                     std::string_view other) {
+        if (!t[key]) return false;
+        const std::string word = TomlReader::text(*t[key]), name = t.name_of(key);
+        if (word == other) {
+            r_.fail(*t[key],
+                    fmt::format("'{}': \"{}\" is not simulated, only \"{}\"", name, other, built));
         }
+        if (word != built) r_.fail(*t[key], fmt::format("'{}': expected \"{}\"", name, built));
+        return true;
     };
-    TomlReader::each(
-        TomlReader::table(node), key,
-        {{"m_codes", m_codes},
-         {"tip_frame", choose("table", "work", [this] { control_.by_length_word = true; })},
-         {"tip_frame_at", choose("zero", "start", [this] { control_.frame_at_zero = true; })},
-         {"tip_turns", choose("joints", "vector", [] {})},
-         {"at_start",
-          [this](const toml::node& n, const std::string&) {
-              control_.at_start = tip_or_axes(TomlReader::text(n));
-          }},
-         {"kinematics",
-          [this](const toml::node& n, const std::string&) {
-              for (const std::string& mode : TomlReader::texts(n))
-                  control_.kinematics.push_back(tip_or_axes(mode));
-          }},
-         {"fixture_offsets",
-          [this](const auto& n, const auto& k) {
-              take_table_offsets(n, k, false, fixture_offsets_);
-          }},
-         {"fixture_offset_moves", into(fixture_offsets_.moves)},
-         {"setting_errors",
-          [this](const auto& n, const auto& k) {
-              take_table_offsets(n, k, true, setting_errors_);
-          }},
-         {"setting_error_moves", into(setting_errors_.moves)},
-         {"setting_error_turns_axes", into(setting_errors_.axes_take_turns)},
-         {"orient", [this](const toml::node& n, const std::string&) {
-              using machine::SolutionPreference;
-              const std::string word = TomlReader::text(n);
-              prefer_ = word == "positive"   ? SolutionPreference::EndPositive
-                        : word == "negative" ? SolutionPreference::EndNegative
-                                             : SolutionPreference::Shortest;
-          }}});
+    if (t["at_start"]) control.at_start = tip_or_axes(TomlReader::text(*t["at_start"]));
+    read_table_offsets(t, "fixture_offset", file_.fixture_offsets);
+    std::vector<std::string> modes;
+    t.read("kinematics", modes);
+    std::ranges::transform(modes, std::back_inserter(control.kinematics), tip_or_axes);
+    t.each_key("m_codes", [&](const toml::node& node, const std::string& name) {
+        constexpr int kFree = 100;
+        const auto number = m_code_named(name, kFree);
+        if (!number)
+            r_.fail(node,
+                    fmt::format("'{}.{}': expected M100 to M9999", t.name_of("m_codes"), name));
+        control.m_codes[*number] = tip_or_axes(TomlReader::text(node));
+    });
+    std::string orient;
+    t.read("orient", orient);
+    using machine::SolutionPreference;
+    prefer_ = orient == "positive"   ? SolutionPreference::EndPositive
+              : orient == "negative" ? SolutionPreference::EndNegative
+                                     : SolutionPreference::Shortest;
+    read_table_offsets(t, "setting_error", file_.setting_errors);
+    t.read("setting_error_turns_axes", file_.setting_errors.axes_take_turns);
+    control.by_length_word = is_built("tip_frame", "table", "work");
+    control.frame_at_zero = is_built("tip_frame_at", "zero", "start");
+    (void)is_built("tip_turns", "joints", "vector");
 }
 
-// Reads { B = 90 }, degrees; unnamed axes are at 0.
-std::array<double, 3> KinematicsReader::angles(const toml::node& node,
-                                               const std::string& key) const {
-    std::array<double, 3> at{};
-    for (const auto& [name, value] : TomlReader::table(node)) {
-        const auto letter = axis_named(name.str());
-        const std::string whole = fmt::format("{}.{}", key, name.str());
-        if (!letter || !turns(*letter))
-            r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
-        at[static_cast<std::size_t>(*letter - 'A')] = TomlReader::number(value);
-    }
-    return at;
-}
-
-void KinematicsReader::take_table_offsets(const toml::node& node, const std::string& key,
-                                          bool may_turn, gcode::TableOffsets& offsets) const {
-    constexpr int kMost = 300;
-    for (const auto& [name, value] : TomlReader::table(node)) {
-        const std::string whole = fmt::format("{}.{}", key, name.str());
-        const std::string_view text = name.str();
+// Reads the keys `name`s and `name`_moves.
+void KinematicsReader::read_table_offsets(const TomlTable& control, const std::string& name,
+                                          gcode::TableOffsets& offsets) const {
+    control.read(name + "_moves", offsets.moves);
+    const TomlTable all = control.table(name + "s");
+    for (const auto& [key, node] : all.node()) {
+        constexpr int kMost = 300;
+        const std::string_view text = key.str();
         const auto number = text.starts_with('P') ? number_in<int>(text.substr(1)) : std::nullopt;
-        if (!number || *number < 1 || *number > kMost) {
-            r_.fail(value, fmt::format("'{}': expected P1 to P{}", whole, kMost));
+        if (!number || *number < 1 || *number > kMost)
+            r_.fail(node, fmt::format("'{}': expected P1 to P{}", all.name_of(text), kMost));
+        const TomlTable t = all.table(text);
+        if (!t["offset"] || !t["at"]) {
+            r_.fail(node, fmt::format("'{}': expected offset = [x, y, z], and at which angles of "
+                                      "the table, at = {{ B = 0 }}",
+                                      t.name()));
         }
-        std::optional<Vec3> offset;
-        std::optional<std::array<double, 3>> at;
-        Vec3 turns;
-        TomlReader::Keys keys{{"offset", into(offset)},
-                              {"at", [&](const auto& n, const auto& k) { at = angles(n, k); }}};
-        if (may_turn) keys["turns"] = into(turns);
-        TomlReader::each(TomlReader::table(value), whole, keys);
-        if (!offset || !at) {
-            r_.fail(value, fmt::format("'{}': expected offset = [x, y, z], and at which angles of "
-                                       "the table, at = {{ B = 0 }}",
-                                       whole));
-        }
-        offsets.by_number[*number] = {
-            {offset->x, offset->y, offset->z}, *at, {turns.x, turns.y, turns.z}};
+        gcode::TableOffsets::One& offset = offsets.by_number[*number];
+        t.read("offset", offset.offset);
+        t.read("turns", offset.turns);
+        t.each_key("at", [&](const toml::node& angle, const std::string& axis) {
+            offset.at[index_of(axis[0])] = TomlReader::number(angle);
+        });
     }
 }
 
 machine::Travel KinematicsReader::travel(const toml::node& node, const std::string& key) const {
-    const toml::array& ends = TomlReader::list(node);
-    const machine::Travel travel{TomlReader::number(ends[0]), TomlReader::number(ends[1])};
-    if (travel.min >= travel.max)
-        r_.fail(node, fmt::format("'{}': the first end must be below the second", key));
-    return travel;
+    const auto [min, max] = TomlReader::value<std::array<double, 2>>(node);
+    if (min >= max) r_.fail(node, fmt::format("'{}': the first end must be below the second", key));
+    return {min, max};
 }
 
-void KinematicsReader::take_ways(const toml::node& node, const std::string& key) {
-    for (const auto& [name, value] : TomlReader::table(node)) {
-        const auto letter = axis_named(name.str());
-        const std::string whole = fmt::format("{}.{}", key, name.str());
-        if (!letter || !turns(*letter))
-            r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
-        ways_[static_cast<std::size_t>(*letter - 'A')] = way_of(value);
+// Reads travels of axes after those of links, and stores those of X, Y and Z.
+void KinematicsReader::read_travels(const TomlTable& t) {
+    for (const auto& [key, node] : t.node()) {
+        const char letter = upper(key.str()[0]);
+        if (turns(letter)) travels_node_ = &node;
+        travels_[letter] = travel(node, t.name_of(key.str()));
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto specified = travels_.find("XYZ"[i]);
+        if (specified == travels_.end()) continue;
+        file_.machine.travel[i] = verify::AxisRange{specified->second.min, specified->second.max};
     }
 }
 
-void KinematicsReader::take_clamps(const toml::node& node, const std::string& key) {
-    for (const auto& [name, value] : TomlReader::table(node)) {
-        const auto letter = axis_named(name.str());
-        const std::string whole = fmt::format("{}.{}", key, name.str());
-        if (!letter || !turns(*letter))
-            r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
-        const toml::array& codes = TomlReader::list(value);
+void KinematicsReader::read_clamps(const TomlTable& root) {
+    root.each_key("clamps", [this](const toml::node& node, const std::string& axis) {
+        const auto codes = TomlReader::value<std::array<std::string, 2>>(node);
         constexpr int kFirst = 10;  // smaller numbers have a fixed meaning on all controls
-        const auto clamp = m_code_named(TomlReader::text(codes[0]), kFirst);
-        const auto release = m_code_named(TomlReader::text(codes[1]), kFirst);
-        if (!clamp || !release || clamp == release || *clamp == 30 || *release == 30)
-            r_.fail(value, fmt::format("'{}': expected two M codes, [\"M10\", \"M11\"]", whole));
-        clamps_.push_back({*letter, *clamp, *release});
-    }
-}
-
-void KinematicsReader::take_assumed(const toml::node& node, const std::string&) {
-    assumed_ = Name{&node, TomlReader::text(node)};
-}
-
-void KinematicsReader::take_travel(char letter, const toml::node& node, const std::string& key) {
-    travels_node_ = &node;
-    travels_[letter] = travel(node, key);
-}
-
-void KinematicsReader::take_link(const toml::node& node, const std::string& key) {
-    Link link;
-    link.node = &node;
-    std::optional<char> letter;
-    std::optional<Vec3> along, about, through;
-    std::optional<bool> turns_part;
-    std::optional<machine::Travel> range;
-    std::optional<gcode::RotaryWay> told_way;
-    const toml::node* clearance_at = nullptr;
-    MeshKeys mesh(r_, folder_, inputs_);
-    const auto into_direction = [this](std::optional<Vec3>& direction) {
-        return [this, &direction](const toml::node& n, const std::string& k) {
-            direction = TomlReader::vector(n);
-            constexpr double kNothing = 1e-6;
-            if (norm(*direction) < kNothing) r_.fail(n, fmt::format("'{}': it has no length", k));
-        };
-    };
-    TomlReader::each(
-        TomlReader::table(node), key,
-        {{"name", into(link.name)},
-         {"parent", into(link.parent)},
-         {"axis", [&](const toml::node& n,
-                      const std::string&) { letter = axis_named(TomlReader::text(n)); }},
-         {"moves_along", into_direction(along)},
-         {"turns_about", into_direction(about)},
-         {"through", into(through)},
-         {"travel", [&](const auto& n, const auto& k) { range = travel(n, k); }},
-         {"mesh", [&](const auto& n, const auto& k) { mesh.take_mesh(n, k); }},
-         {"scale", [&](const auto& n, const auto&) { mesh.take_scale(n); }},
-         {"hull", [&](const auto& n, const auto&) { mesh.take_hull(n); }},
-         {"colour",
-          [&](const toml::node& n, const std::string& k) {
-              link.colour = colour_named(TomlReader::text(n));
-              if (!link.colour) r_.fail(n, fmt::format("'{}': expected \"#rrggbb\"", k));
-          }},
-         {"clearance",
-          [&](const auto& n, const auto&) {
-              clearance_at = &n;
-              link.clearance_mm = TomlReader::number(n);
-          }},
-         {"way", [&](const auto& n, const auto&) { told_way = way_of(n); }},
-         {"positive", [&](const toml::node& n, const std::string&) {
-              turns_part = TomlReader::text(n) == "part";
-          }}});
-    if (auto file = mesh.finish()) {
-        link.mesh = std::move(file->mesh);
-        link.deflection_mm = file->deflection_mm;
-        link.assumed = std::move(file->assumed);
-        link.mesh_at = mesh.place();
-        link.as_hull = mesh.as_hull();
-    }
-    if (link.name.empty() || link.name == kBed || find(link.name))
-        r_.fail(node, "a link needs a name of its own, which is not \"bed\"");
-    if (clearance_at && !link.mesh)
-        r_.fail(*clearance_at, fmt::format("link '{}' has no mesh: no clearance", link.name));
-    if (links_.size() >= kMostLinks) r_.fail(node, fmt::format("more than {} links", kMostLinks));
-    if (letter) {
-        const bool rotary = turns(*letter);
-        const auto& specified = rotary ? about : along;
-        if (!specified || (rotary ? along : about)) {
-            r_.fail(node, fmt::format("axis {} needs {}, and nothing else", *letter,
-                                      rotary ? "turns_about" : "moves_along"));
-        }
-        if (!rotary && (through || turns_part))
-            r_.fail(node, fmt::format("axis {} moves straight: no through, no positive", *letter));
-        if (std::ranges::any_of(
-                links_, [&](const Link& l) { return l.joint && l.joint->letter == *letter; })) {
-            r_.fail(node, fmt::format("axis {} is specified twice", *letter));
-        }
-        const auto positive =
-            turns_part.value_or(false) ? machine::Positive::Part : machine::Positive::Tool;
-        link.joint =
-            machine::joint_of(*letter, rotary, *specified, through.value_or(Vec3{}), positive);
-        link.is_placed = through.has_value();
-        if (range) travels_[*letter] = *range;
-        if (told_way && !rotary)
-            r_.fail(node, fmt::format("axis {} moves straight: no way", *letter));
-        if (told_way) ways_[static_cast<std::size_t>(*letter - 'A')] = *told_way;
-        // X, Y and Z of a position are along the axes of the program.
-        Vec3 own;
-        if (!rotary) own[*letter - 'X'] = 1.0;
-        if (!rotary && norm(link.joint->direction - own) > 1e-9)
+        const auto clamp = m_code_named(codes[0], kFirst);
+        const auto release = m_code_named(codes[1], kFirst);
+        if (!clamp || !release || clamp == release || *clamp == 30 || *release == 30) {
             r_.fail(node,
-                    fmt::format("axis {}: only {} along itself is simulated", *letter, *letter));
-    } else if (along || about || through || turns_part || range || told_way) {
-        r_.fail(node, "a link that moves needs its axis");
+                    fmt::format("'clamps.{}': expected two M codes, [\"M10\", \"M11\"]", axis));
+        }
+        file_.clamps.push_back({axis[0], *clamp, *release});
+    });
+}
+
+void KinematicsReader::read_link(const TomlTable& t) {
+    Link link{&t.node()};
+    t.read("name", link.name);
+    t.read("parent", link.parent);
+    t.read("clearance", link.clearance_mm);
+    if (const toml::node* const colour = t["colour"]) {
+        link.colour = colour_named(TomlReader::text(*colour));
+        if (!link.colour)
+            r_.fail(*colour, fmt::format("'{}': expected \"#rrggbb\"", t.name_of("colour")));
+    }
+    for (const char* key : {"moves_along", "turns_about"}) {
+        constexpr double kNothing = 1e-6;
+        if (t[key] && norm(TomlReader::vector(*t[key])) < kNothing)
+            r_.fail(*t[key], fmt::format("'{}': it has no length", t.name_of(key)));
+    }
+    std::optional<machine::Travel> range;
+    if (t["travel"]) range = travel(*t["travel"], t.name_of("travel"));
+    link.mesh = read_mesh(r_, folder_, inputs_, t);
+    if (link.name.empty() || link.name == kBed || find(link.name))
+        r_.fail(t.node(), "a link needs a name of its own, which is not \"bed\"");
+    if (t["clearance"] && !link.mesh)
+        r_.fail(*t["clearance"], fmt::format("link '{}' has no mesh: no clearance", link.name));
+    if (links_.size() >= kMostLinks)
+        r_.fail(t.node(), fmt::format("more than {} links", kMostLinks));
+    if (t["axis"]) {
+        const char letter = TomlReader::text(*t["axis"])[0];
+        link.joint = read_joint(t, letter);
+        link.is_placed = t["through"] != nullptr;
+        if (range) travels_[letter] = *range;
+        if (t["way"]) file_.rotary_ways[index_of(letter)] = way_of(*t["way"]);
+    } else if (t["moves_along"] || t["turns_about"] || t["through"] || t["positive"] || range ||
+               t["way"]) {
+        r_.fail(t.node(), "a link that moves needs its axis");
     }
     links_.push_back(std::move(link));
 }
 
-void KinematicsReader::take_part(const toml::node& node, const std::string& key) {
-    TomlReader::each(TomlReader::table(node), key, {{"link", [this](const auto& n, const auto&) {
-                                                         part_ = Name{&n, TomlReader::text(n)};
-                                                     }}});
-}
-
-void KinematicsReader::take_spindle_link(const toml::node& node, const std::string&) {
-    tool_ = Name{&node, TomlReader::text(node)};
+// Returns the joint of a link that moves.
+machine::Joint KinematicsReader::read_joint(const TomlTable& t, char letter) const {
+    const bool rotary = turns(letter);
+    const char* const key = rotary ? "turns_about" : "moves_along";
+    if (!t[key] || t[rotary ? "moves_along" : "turns_about"])
+        r_.fail(t.node(), fmt::format("axis {} needs {}, and nothing else", letter, key));
+    if (!rotary && (t["through"] || t["positive"]))
+        r_.fail(t.node(), fmt::format("axis {} moves straight: no through, no positive", letter));
+    const auto is_same = [&](const Link& l) { return l.joint && l.joint->letter == letter; };
+    if (std::ranges::any_of(links_, is_same))
+        r_.fail(t.node(), fmt::format("axis {} is specified twice", letter));
+    Vec3 direction, through;
+    std::string positive;
+    t.read(key, direction);
+    t.read("through", through);
+    t.read("positive", positive);
+    const machine::Joint joint =
+        machine::joint_of(letter, rotary, direction, through,
+                          positive == "part" ? machine::Positive::Part : machine::Positive::Tool);
+    if (rotary) return joint;
+    if (t["way"]) r_.fail(t.node(), fmt::format("axis {} moves straight: no way", letter));
+    // X, Y and Z of a position are along the axes of the program.
+    Vec3 own;
+    own[letter - 'X'] = 1.0;
+    if (norm(joint.direction - own) > 1e-9)
+        r_.fail(t.node(), fmt::format("axis {0}: only {0} along itself is simulated", letter));
+    return joint;
 }
 
 const KinematicsReader::Link* KinematicsReader::find(const std::string& name) const {
@@ -439,41 +377,23 @@ machine::Chain KinematicsReader::moved_by(const Name& link) const {
     return chain;
 }
 
-machine::Chain KinematicsReader::part_moved_by() const {
-    return part_ && !links_.empty() ? moved_by(*part_) : machine::Chain();
-}
-
-machine::Chain KinematicsReader::tool_moved_by() const {
-    return tool_ && !links_.empty() ? moved_by(*tool_) : machine::Chain();
-}
-
-std::vector<MachineBody> KinematicsReader::links_that(bool have_a_mesh) const {
-    std::vector<MachineBody> bodies;
-    for (const Link& link : links_) {
-        if (link.mesh.has_value() != have_a_mesh) continue;
-        MachineBody body;
-        body.link = link.name;
-        if (link.mesh) body.mesh = *link.mesh;
-        if (link.colour) body.colour = *link.colour;
-        if (link.parent != kBed) body.parent = link.parent;
-        body.moved_by = moved_by({link.node, link.name});
-        if (link.joint) body.joint = body.moved_by.joints.back();
-        body.clearance_mm = link.clearance_mm;
-        body.deflection_mm = link.deflection_mm;
-        body.assumed = link.assumed;
-        body.mesh_at = link.mesh_at;
-        body.as_hull = link.as_hull;
-        bodies.push_back(std::move(body));
+// Adds a link to the bodies of the file, or to the links without a mesh.
+void KinematicsReader::add_body(const Link& link) const {
+    MachineBody body;
+    body.link = link.name;
+    if (link.colour) body.colour = *link.colour;
+    if (link.parent != kBed) body.parent = link.parent;
+    body.moved_by = moved_by({link.node, link.name});
+    if (link.joint) body.joint = body.moved_by.joints.back();
+    body.clearance_mm = link.clearance_mm;
+    if (link.mesh) {
+        body.mesh = link.mesh->file.mesh;
+        body.deflection_mm = link.mesh->file.deflection_mm;
+        body.assumed = link.mesh->file.assumed;
+        body.mesh_at = link.mesh->place;
+        body.as_hull = link.mesh->as_hull;
     }
-    return bodies;
-}
-
-std::vector<MachineBody> KinematicsReader::bodies() const {
-    return links_that(true);
-}
-
-std::vector<MachineBody> KinematicsReader::other_links() const {
-    return links_that(false);
+    (link.mesh ? file_.bodies : file_.other_links).push_back(std::move(body));
 }
 
 std::optional<SpecifiedKinematics> KinematicsReader::kinematics() const {

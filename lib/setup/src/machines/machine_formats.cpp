@@ -6,6 +6,7 @@
 #include "machines/freecad_machine.h"
 #include "machines/fusion_machine.h"
 #include "machines/linuxcnc_machine.h"
+#include "machines/toml_machine.h"
 #include "machines/urdf_machine.h"
 
 namespace ncsim::setup {
@@ -15,7 +16,7 @@ MachineFile read_machine(const std::string& path, InputSet& inputs) {
     if (path.ends_with(".fcm")) return read_freecad_machine(path, inputs);
     if (path.ends_with(".machine")) return read_fusion_machine(path, inputs);
     if (path.ends_with(".urdf")) return read_urdf_machine(path, inputs);
-    return read_machine_file(path, inputs);
+    return read_toml_machine(path, inputs);
 }
 
 }  // namespace ncsim::setup

@@ -20,7 +20,6 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <span>
 #include <stdexcept>

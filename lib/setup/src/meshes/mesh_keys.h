@@ -3,6 +3,7 @@
 // Keys of a mesh in machine files, for links and fixtures.
 #pragma once
 
+#include "ncsim/setup/input.h"
 #include "ncsim/setup/mesh_file.h"
 
 #include "files/toml_reader.h"
@@ -12,36 +13,19 @@
 
 namespace ncsim::setup {
 
-/// Collects the keys of a mesh.
-class MeshKeys {
-public:
-    /// Reads files relative to `folder`. Requires: all arguments outlive this object.
-    MeshKeys(const TomlReader& reader, const std::string& folder, InputSet& inputs)
-        : r_(reader), folder_(folder), inputs_(inputs) {}
-
-    // The following functions throw std::runtime_error with file, line and column.
-    void take_mesh(const toml::node& node, const std::string& key);
-    void take_scale(const toml::node& node);
-    void take_hull(const toml::node& node);
-    /// Returns the mesh in mm, after all keys were read; empty if no mesh is specified. A file
-    /// without unit and without scale is in mm. If it would then be shorter than 5 mm, it is
-    /// refused, because it is probably in metres, and such a small body would never collide.
-    std::optional<SurfaceFile> finish();
-    /// Returns the place of the key `mesh`. Requires: finish() was called.
-    std::string place() const { return mesh_at_ ? r_.place_of(*mesh_at_) : std::string(); }
-    /// True if the convex hull replaces the mesh.
-    bool as_hull() const { return as_hull_; }
-
-private:
-    const TomlReader& r_;
-    const std::string& folder_;
-    InputSet& inputs_;
-    const toml::node* mesh_at_ = nullptr;
-    const toml::node* scale_at_ = nullptr;
-    SurfaceFile file_;
-    std::optional<double> scale_;
-    const toml::node* hull_at_ = nullptr;
-    bool as_hull_ = false;
+/// Mesh of a link or a fixture, in mm.
+struct NamedMesh {
+    SurfaceFile file;
+    std::string place;     ///< Place of the key `mesh`.
+    bool as_hull = false;  ///< True if the convex hull replaces the mesh.
 };
+
+/// Reads the keys `mesh`, or `stl`, `scale` and `hull` of a table; empty if no mesh is specified.
+/// Files are relative to `folder`. A file without unit and without scale is in mm. If it would then
+/// be shorter than 5 mm, it is refused, because it is probably in metres, and such a small body
+/// would never collide.
+/// Throws: std::runtime_error with file, line and column.
+std::optional<NamedMesh> read_mesh(const TomlReader& reader, const std::string& folder,
+                                   InputSet& inputs, const TomlTable& table);
 
 }  // namespace ncsim::setup

@@ -20,11 +20,9 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 namespace ncsim::setup {
 

@@ -14,12 +14,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -87,45 +84,16 @@ struct VrmlNamed {
 };
 
 // Names of nodes without a body for collisions.
-const std::set<std::string, std::less<>>& without_body() {
-    static const std::set<std::string, std::less<>> names{"Appearance",
-                                                          "AudioClip",
-                                                          "Background",
-                                                          "Color",
-                                                          "ColorInterpolator",
-                                                          "CoordinateInterpolator",
-                                                          "CylinderSensor",
-                                                          "DirectionalLight",
-                                                          "Fog",
-                                                          "FontStyle",
-                                                          "ImageTexture",
-                                                          "IndexedLineSet",
-                                                          "Material",
-                                                          "MovieTexture",
-                                                          "NavigationInfo",
-                                                          "Normal",
-                                                          "NormalInterpolator",
-                                                          "OrientationInterpolator",
-                                                          "PixelTexture",
-                                                          "PlaneSensor",
-                                                          "PointLight",
-                                                          "PointSet",
-                                                          "PositionInterpolator",
-                                                          "ProximitySensor",
-                                                          "ScalarInterpolator",
-                                                          "Script",
-                                                          "Sound",
-                                                          "SphereSensor",
-                                                          "SpotLight",
-                                                          "Text",
-                                                          "TextureCoordinate",
-                                                          "TextureTransform",
-                                                          "TimeSensor",
-                                                          "TouchSensor",
-                                                          "Viewpoint",
-                                                          "VisibilitySensor",
-                                                          "WorldInfo"};
-    return names;
+constexpr std::string_view kWithoutBody =
+    " Appearance AudioClip Background Color ColorInterpolator CoordinateInterpolator "
+    "CylinderSensor DirectionalLight Fog FontStyle ImageTexture IndexedLineSet Material "
+    "MovieTexture NavigationInfo Normal NormalInterpolator OrientationInterpolator "
+    "PixelTexture PlaneSensor PointLight PointSet PositionInterpolator ProximitySensor "
+    "ScalarInterpolator Script Sound SphereSensor SpotLight Text TextureCoordinate "
+    "TextureTransform TimeSensor TouchSensor Viewpoint VisibilitySensor WorldInfo ";
+
+bool is_without_body(std::string_view node) {
+    return kWithoutBody.find(fmt::format(" {} ", node)) != std::string_view::npos;
 }
 
 class VrmlReader {
@@ -316,7 +284,7 @@ private:
         if (type == "IndexedFaceSet") return {face_set(), nullptr};
         if (type == "Box") return {box(), nullptr};
         if (type == "Coordinate") return {nullptr, points()};
-        if (!without_body().contains(type)) {
+        if (!is_without_body(type)) {
             // The type may be any text.
             std::string shown = type.substr(0, 40);
             std::ranges::replace_if(

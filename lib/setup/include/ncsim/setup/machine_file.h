@@ -43,8 +43,4 @@ struct MachineFile {
     std::map<int, verify::ToolFacts> tools;
 };
 
-/// Reads and checks the file `path`. Throws: std::runtime_error with file, line and column, for a
-/// file that is not TOML, unknown keys, wrong types and invalid values.
-MachineFile read_machine_file(const std::string& path, InputSet& inputs);
-
 }  // namespace ncsim::setup

@@ -17,7 +17,7 @@ std::string machine_sheet(const MachineFile& file);
 /// of tools"; empty if there are none.
 std::string not_in_machine_toml(const MachineFile& file);
 
-/// Returns TOML from which read_machine_file() reads the same machine, except for
+/// Returns TOML from which read_machine() reads the same machine, except for
 /// not_in_machine_toml(). Assumptions are kept: the key `assumed` causes a doubt until it is
 /// removed.
 std::string machine_toml(const MachineFile& file);
