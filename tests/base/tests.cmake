@@ -1,4 +1,12 @@
-ncsim_add_test(base LIBRARIES ncsim::base SOURCES angles_test.cpp parallel_test.cpp text_test.cpp vec2_test.cpp)
+ncsim_add_test(base
+  LIBRARIES ncsim::base
+  SOURCES
+    angles_test.cpp
+    disjoint_sets_test.cpp
+    mix_test.cpp
+    parallel_test.cpp
+    text_test.cpp
+    vec2_test.cpp)
 
 # Nobody else calls functions of the C library whose last bit is not the same everywhere.
 add_test(NAME base.TheLibraryOfNoSystemReachesAnOutput
