@@ -47,6 +47,7 @@ TEST(DisjointSets, OfRandomPairsAreThoseOfAPaintedLineInAnyOrder) {
     for (int round = 0; round < 100; ++round) {
         constexpr std::uint32_t kSize = 40;
         Pairs pairs;
+        pairs.reserve(static_cast<std::size_t>(round));
         for (int i = 0; i < round; ++i) {
             pairs.emplace_back(static_cast<std::uint32_t>(random.between(0, kSize - 1)),
                                static_cast<std::uint32_t>(random.between(0, kSize - 1)));

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ncsim::report {
@@ -41,6 +42,7 @@ TEST(Describe, AtMostSixRangesOfLines) {
     EXPECT_EQ(lines_text({}), "");
     EXPECT_EQ(lines_text({{0, 3, 7}, {0, 12, 12}}), "3-7, 12");
     std::vector<verify::LineRange> many;
+    many.reserve(7);
     for (std::uint32_t i = 1; i <= 6; ++i)
         many.push_back({0, 10 * i, 10 * i});
     EXPECT_EQ(lines_text(many), "10, 20, 30, 40, 50, 60");

@@ -74,6 +74,7 @@ TEST(PageArrays, NumbersComeBackForAnyStride) {
     test::Random random(11);
     for (const std::size_t stride : {1U, 3U, 6U}) {
         std::vector<std::uint32_t> numbers;
+        numbers.reserve(6 * 50);
         for (std::size_t i = 0; i < 6 * 50; ++i) {
             const auto step = static_cast<std::uint32_t>(random.between(-20, 20));
             numbers.push_back(i < stride || random.one_in(20)
@@ -89,6 +90,7 @@ TEST(PageArrays, NumbersComeBackForAnyStride) {
 
 TEST(PageArrays, SmallStepsNeedFewBytes) {
     std::vector<std::uint32_t> line;
+    line.reserve(30'000);
     for (std::uint32_t i = 0; i < 30'000; ++i)
         line.push_back(1'000'000 + 7 * i);
     EXPECT_LT(packed(line).size(), 1000U) << "of 120,000 bytes";

@@ -75,6 +75,7 @@ TEST(RingPolygon, CoarserPolygonsKeepEveryNthSide) {
     const std::int64_t b = 500'000;
     const auto family = add_coarser(ring_polygon(b, corner_cosines(48), Side::Circumscribed));
     std::vector<int> sides;
+    sides.reserve(family.size());
     for (const RingPolygon& polygon : family) {
         expect_sound(polygon);
         sides.push_back(polygon.sides);

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace ncsim::verify {
@@ -199,6 +200,7 @@ TEST(LedgerBook, TheAccountGivesVolumesAndAirLater) {
     Ledger ledger;
     LedgerBook book(ledger, {{0, 0, 0}, {10, 10, 10}});
     std::vector<gcode::Motion> motions;
+    motions.reserve(4);
     for (std::uint32_t i = 1; i <= 4; ++i) {
         motions.push_back(line(10.0 * i, 0, 0, i == 4 ? MoveKind::Rapid : MoveKind::Feed, 1.0));
         motions.back().span.line = i;
