@@ -3,6 +3,8 @@ ncsim_add_test(base
   LIBRARIES ncsim::base nlohmann_json::nlohmann_json
   SOURCES
     angles_test.cpp
+    disjoint_sets_test.cpp
+    mix_test.cpp
     parallel_test.cpp
     plain_text_test.cpp
     text_test.cpp

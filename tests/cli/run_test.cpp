@@ -219,29 +219,6 @@ constexpr const char* kTwoSlots =
     "G1 X-30.\n"
     "M30\n";
 
-/// Pocket shaped like an L with a reflex corner: strokes that would cross the corner are lifted,
-/// and the whole pocket is cleared.
-TEST(Run, ClearsAPocketOfAnyShape) {
-    Folder folder;
-    const std::string outline = "N100 G1 X20. Y0.\nX40.\nY15.\nX20.\nY30.\nX0.\nY0.\nX20.\nM99\n";
-    for (const char* width : {"I2.5", "J2.5", "J4. K0.4", "I4. K0.4 Q1.5"}) {
-        SCOPED_TRACE(width);
-        folder.write("l.nc", std::string("(HAAS)\n(T1 D=6. CR=0. - flat end mill)\nG21 G90 G54\n"
-                                         "T1 M6\nS8000 M3\nG0 X9. Y9. Z20.\nG150 P100 X9. Y9. "
-                                         "Z-4. R1. G42 D1 F500. ") +
-                                 width + "\nG40 G0 Z20.\nM30\n" + outline);
-        const Ran ran = folder.run({"run", "l.nc", "--stock", "-10,-10,-10:50,40,0", "--report",
-                                    "r.json", "--tool-tolerance", "0.01"});
-        EXPECT_EQ(ran.exit_code, 0) << ran.err;
-        const double removed = json::parse(folder.read("r.json"))["volume_mm3"]["removed"];
-        // The cutter leaves five of the six corners round.
-        const double area = 40.0 * 30.0 - 20.0 * 15.0 - 5.0 * 9.0 * (1.0 - 3.14159265 / 4.0);
-        EXPECT_NEAR(removed, 4.0 * area, 0.002 * 4.0 * area);
-        const Ran check = folder.run({"check", "l.nc", "--stock", "-10,-10,-10:50,40,0"});
-        EXPECT_EQ(check.out.find("rapid-in-material"), std::string::npos) << check.out;
-    }
-}
-
 TEST(Run, StopsAfterALine) {
     Folder folder;
     folder.write("slots.nc", kTwoSlots);

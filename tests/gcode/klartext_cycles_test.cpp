@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Klartext of Heidenhain controls: tools, M codes, cycles. Where G-code has the same
-// move, the motions of both programs are compared.
+// move, the motions of both programs are compared. Heights of hole cycles are in
+// tests/programs/klartext-*.
 #include "gcode/klartext_made.h"
 
 #include <gtest/gtest.h>
@@ -268,21 +269,6 @@ TEST(KlartextCycles, CallPosBelowTheSurfaceGoesUpFirst) {
     EXPECT_GT(end_of(r.moves[2])->z.mm(), 0.0);
 }
 
-TEST(Klartext, InfeedCountsFromTheSurface) {
-    const Made r = run(
-        klartext("CYCL DEF 200 X Q200=5 Q201=-3 Q206=100 Q202=1.2 Q203=0 Q204=0\nL X+1 FMAX M99"));
-    EXPECT_EQ(r.errors(), "");
-    std::vector<double> bottoms;
-    for (const Motion& m : r.moves) {
-        if (m.kind == MoveKind::Feed) bottoms.push_back(end_of(m)->z.mm());
-    }
-    ASSERT_EQ(bottoms.size(), 3U);
-    EXPECT_NEAR(bottoms[0], -1.2, 1e-9);
-    EXPECT_NEAR(bottoms[1], -2.4, 1e-9);
-    EXPECT_NEAR(bottoms[2], -3.0, 1e-9);
-    EXPECT_NEAR(r.end().z.mm(), 5.0, 1e-9);
-}
-
 TEST(Klartext, CycleParametersWithoutContinuation) {
     EXPECT_EQ(run(klartext("CYCL DEF 200 DRILLING\nQ200 = 2 ;A\nQ201 = -20\nQ206 = 150\nQ202 = "
                            "20\nQ203 = +0\nQ204 = 50\nL X+10 Y+10 FMAX M99"))
@@ -316,32 +302,6 @@ TEST(Klartext, Cycle201FeedsOut) {
         "G0 X1.\nZ2.\nG1 Z-15. F100\nG4 P500\nG1 Z2. F250\nG0 Z20.");
 }
 
-TEST(Klartext, Cycle203BreaksChips) {
-    const Made r =
-        run(klartext("CYCL DEF 203 X Q200=2 Q201=-10 Q206=100 Q202=3 Q210=0 Q203=0 Q204=2 Q212=0.5 "
-                     "Q213=1 Q205=1 Q211=0 Q208=MAX Q256=0.3\nL X+1 FMAX M99"));
-    EXPECT_EQ(r.errors(), "");
-    std::vector<double> heights;
-    for (const Motion& m : r.moves)
-        heights.push_back(end_of(m)->z.mm());
-    // 3, 5.5, 7.5, 9, 10: each infeed is 0.5 shorter; after one break the tool retracts fully.
-    const std::vector<double> expected{50,   50,   2,  -3, -2.7, -5.5, 2, -5.3,
-                                       -7.5, -7.2, -9, 2,  -8.8, -10,  2};
-    ASSERT_EQ(heights.size(), expected.size());
-    for (std::size_t i = 0; i < heights.size(); ++i)
-        EXPECT_NEAR(heights[i], expected[i], 1e-9) << i;
-}
-
-TEST(Klartext, Cycle205StartsDeeper) {
-    const Made r =
-        run(klartext("CYCL DEF 205 X Q200=2 Q201=-10 Q206=100 Q202=10 Q203=0 Q204=2 Q212=0 Q205=0 "
-                     "Q258=0.5 Q259=1 Q257=3 Q256=0.2 Q211=0 Q379=4 Q253=750\nL X+1 FMAX M99"));
-    EXPECT_EQ(r.errors(), "");
-    EXPECT_NEAR(end_of(r.moves[3])->z.mm(), -4.0, 1e-9);
-    EXPECT_NEAR(r.moves[3].feed, 750.0, 1e-9);
-    EXPECT_NEAR(end_of(r.moves[4])->z.mm(), -7.0, 1e-9);
-}
-
 TEST(Klartext, Cycle202OrientsTheSpindle) {
     const Made r =
         run(klartext("CYCL DEF 202 X Q200=2 Q201=-15 Q206=100 Q211=0.2 Q208=0 Q203=0 Q204=2 "
@@ -361,40 +321,6 @@ TEST(Klartext, Cycle204BoresUpwards) {
     EXPECT_NEAR(end_of(r.moves[3])->z.mm(), -32.0, 1e-9);
     EXPECT_TRUE(r.moves[3].spindle_oriented);
     EXPECT_NEAR(end_of(r.moves[4])->z.mm(), -25.0, 1e-9);
-}
-
-TEST(Klartext, Cycle206And207Tap) {
-    const Made r =
-        run(klartext("CYCL DEF 207 X Q200=2 Q201=-10 Q239=+1.5 Q203=0 Q204=20\nL X+1 FMAX M99"));
-    EXPECT_EQ(r.errors(), "");
-    ASSERT_EQ(r.moves.size(), 6U);
-    EXPECT_DOUBLE_EQ(r.moves[3].feed, 1500.0);
-    EXPECT_EQ(r.moves[3].spindle, SpindleTurning::Clockwise);
-    EXPECT_EQ(r.moves[4].spindle, SpindleTurning::Counterclockwise);
-    const Made left =
-        run(klartext("CYCL DEF 207 X Q200=2 Q201=-10 Q239=-1.5 Q203=0 Q204=20\nL X+1 FMAX M99"));
-    EXPECT_EQ(left.moves[3].spindle, SpindleTurning::Counterclockwise);
-    expect_same("CYCL DEF 206 X Q200=2 Q201=-10 Q206=300 Q211=0 Q203=0 Q204=2\nL X+1 FMAX M99",
-                "G0 X1.\nZ2.\nG1 Z-10. F300\nM4\nG1 Z2.\nM3");
-}
-
-TEST(Klartext, Cycle209BreaksChips) {
-    const Made r = run(klartext(
-        "CYCL DEF 209 X Q200=2 Q201=-10 Q239=1 Q203=0 Q204=2 Q257=4 Q256=0\nL X+1 FMAX M99"));
-    EXPECT_EQ(r.errors(), "");
-    EXPECT_EQ(r.moves.size(), 9U);
-}
-
-TEST(Klartext, Cycle208MillsAlongAHelix) {
-    const Made r =
-        run(klartext("CYCL DEF 208 X Q200=2 Q201=-10 Q206=300 Q334=3 Q203=0 Q204=20 Q335=30 Q342=0 "
-                     "Q351=1\nL X+50 Y+20 FMAX M99"));
-    expect_end(r, 50, 20, 20);
-    const auto helix = std::ranges::count_if(r.moves, [](const Motion& m) {
-        const auto* arc = std::get_if<Arc>(&m.action);
-        return arc && arc->from.z != arc->to.z && arc->turns == 1 && arc->to.x.mm() == 60.0;
-    });
-    EXPECT_EQ(helix, 4);
 }
 
 TEST(Klartext, Cycle240ByDepth) {

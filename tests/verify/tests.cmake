@@ -3,15 +3,18 @@ ncsim_add_test(verify
     ncsim::verify
   SOURCES
     body_test.cpp
+    books_test.cpp
     contact_test.cpp
     cycle_time_test.cpp
     design_test.cpp
     evidence_test.cpp
     finding_fields_test.cpp
+    guesses_test.cpp
     hole_course_test.cpp
     machine_test.cpp
     machining_time_test.cpp
     passes_test.cpp
+    path_facts_test.cpp
     process_test.cpp
     rapid_test.cpp
     rigid_body_test.cpp

@@ -364,11 +364,27 @@ private:
             return false;
         const std::size_t value = value_of_key(i);
         // A key has a single number. The number after the key takes precedence, except for degrees,
-        // which follow their number.
-        if (value != 0 && !is_degree(*key)) return false;
+        // which follow their number, and in a row such as 22 LOC 10 SHANK 40 STICKOUT.
+        if (value != 0 && !is_degree(*key) && !ends_with_key(value)) return false;
         take_key(key->role, tokens_[at_].quantity, false);
         if (key->role == Role::Diameter && key->text.size() > 1) dangling_ = false;
         at_ = i;
+        return true;
+    }
+
+    // True behind the size of a tool if keys follow numbers up to the last key: no number is left
+    // for that key. `value`: the number after the first key.
+    bool ends_with_key(std::size_t value) const {
+        if (sizes_.empty() && !diameter_) return false;
+        while (value != 0) {
+            const Token* key = token(value + 1);
+            if (!number_at(value) || !key || !key->is_word() || key->text.size() == 1 ||
+                key->role < Role::Diameter || key->role > Role::Other || key->role == Role::Gauge ||
+                key->role == Role::Flutes) {
+                return false;
+            }
+            value = value_of_key(value + 1);
+        }
         return true;
     }
 

@@ -540,7 +540,9 @@ private:
         const auto q = text::quantity_at(part, at);
         if (!q || q->begin != at || q->value < 0) return std::nullopt;
         at = q->end;
-        return q->unit == text::Unit::Inch || q->is_fraction ? 25.4 * q->value : q->value;
+        const bool is_inch =
+            q->unit == text::Unit::Inch || (q->is_fraction && q->unit == text::Unit::None);
+        return is_inch ? 25.4 * q->value : q->value;
     }
 
     std::string read_angle(double degrees) {

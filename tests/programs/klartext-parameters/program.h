@@ -1,0 +1,21 @@
+0 BEGIN PGM T MM
+1 ; Q parameters, FN jumps and a repeated part: grooves of growing length
+2 BLK FORM 0.1 Z X+0 Y+0 Z-10
+3 BLK FORM 0.2 X+60 Y+40 Z+0
+4 TOOL DEF 1 L+0 R+1.5
+5 TOOL CALL 1 Z S2000
+6 L Z+50 R0 FMAX M3
+7 Q1 = 8
+8 Q2 = 10 + SIN 30 * 4
+9 LBL 5
+10 L X+5 Y+Q1 R0 FMAX
+11 L Z+1 FMAX
+12 L Z-1 F100
+13 L IX+Q2 F300
+14 L Z+10 FMAX
+15 FN 1: Q1 = +Q1 + +6
+16 FN 3: Q2 = +Q2 * +1.25
+17 FN 12: IF +Q1 LT +30 GOTO LBL 5
+18 L Z+60 R0 FMAX
+19 M30
+20 END PGM T MM
