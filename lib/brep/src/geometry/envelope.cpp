@@ -127,14 +127,14 @@ Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
             nearest.take(when, std::sqrt(deviation(sweep.at(when))));
         return nearest;
     }
-    constexpr double kAny = std::numeric_limits<double>::infinity();
+    const double any = std::numeric_limits<double>::infinity();
     const double step = 1.0 / static_cast<double>(samples.size() - 1);
-    double before = kAny, here = deviation(samples.front());
+    double before = any, here = deviation(samples.front());
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        const double after = i + 1 < samples.size() ? deviation(samples[i + 1]) : kAny;
+        const double after = i + 1 < samples.size() ? deviation(samples[i + 1]) : any;
         if (here <= before && here < after) {
             // Minimum of the parabola through three samples.
-            const bool is_between = before < kAny && after < kAny;
+            const bool is_between = before < any && after < any;
             const double ahead =
                 is_between ? 0.5 * (before - after) / ((before - here) + (after - here)) : 0.0;
             nearest.take((static_cast<double>(i) + ahead) * step, fillet ? std::sqrt(here) : here);
@@ -166,9 +166,9 @@ void advance(ClosestPoint& closest, double by, Vec3 p) {
 // after the nearest time bound the steps. Near the edge of a fold of the envelope, there may be no
 // nearest time; the result is then the closest point at `when`.
 ClosestPoint nearest_from(const Sweep& sweep, double when, Vec3 p) {
-    constexpr double kAnyTime = std::numeric_limits<double>::infinity();
+    const double any = std::numeric_limits<double>::infinity();
     const double longest = 1.0 / static_cast<double>(sweep.samples().size() - 1);
-    double before = -kAnyTime, after = kAnyTime;
+    double before = -any, after = any;
     ClosestPoint closest = closest_point_at(sweep, when, p);
     bool is_found = false;
     for (int i = 0; i < 40 && !is_found; ++i) {
@@ -179,7 +179,7 @@ ClosestPoint nearest_from(const Sweep& sweep, double when, Vec3 p) {
         double next = t + std::clamp(step, -longest, longest);
         if (!(std::abs(next - t) > 0.01 * kUnitRounding)) return closest;
         const bool is_between = next > before && next < after;
-        if (!is_between && before > -kAnyTime && after < kAnyTime) next = 0.5 * (before + after);
+        if (!is_between && before > -any && after < any) next = 0.5 * (before + after);
         // Changes with the square of a step this short are rounding errors, on paths with at most a
         // few turns.
         is_found = is_between && !sweep.is_rim() && std::abs(step) < 100.0 * kRounding;
