@@ -30,6 +30,9 @@ ncsim_add_test(brep
 
 target_include_directories(ncsim_brep_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/brep/src)
 
+add_test(NAME brep.tolerances_are_factors_of_one_header COMMAND ${CMAKE_COMMAND}
+  -DSOURCE=${PROJECT_SOURCE_DIR} -P ${CMAKE_CURRENT_LIST_DIR}/constants.cmake)
+
 # OpenCASCADE judges them, too (export/tests.cmake has its reader).
 set(solids ${CMAKE_CURRENT_BINARY_DIR}/brep/solids)
 add_executable(ncsim_brep_solids brep/write_solids.cpp brep/solids.cpp)

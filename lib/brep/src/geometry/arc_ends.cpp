@@ -20,8 +20,7 @@ std::optional<Circle> circle_through(const Circle& circle, Vec3 tangent_at, Vec3
     // The new circle deviates most from the old circle in `tangent_at` and opposite.
     const double deviation =
         std::max(std::abs(reach - circle.radius), std::abs(2.0 * radius - reach - circle.radius));
-    if (!(deviation <= kReaderResolution) || std::abs(height) > kReaderResolution)
-        return std::nullopt;
+    if (!(deviation <= 2.0 * kReaderMm) || std::abs(height) > 2.0 * kReaderMm) return std::nullopt;
     return Circle{circle.centre + (1.0 - radius / reach) * out, circle.axis, radius};
 }
 

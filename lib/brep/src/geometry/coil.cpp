@@ -4,6 +4,8 @@
 #include "ncsim/base/angles.h"
 #include "ncsim/brep/surface_forms.h"
 
+#include "geometry/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,9 +41,7 @@ CoilPlace project_onto(const Coil& coil, Vec3 p) {
     CoilPlace place = place_at_height(coil, p);
     // Newton's method for both angles at once minimises the distance. Where the second derivatives
     // are not positive definite, the step is the one for `p` on the surface.
-    constexpr int kCoilSteps = 40;
-    constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-13, kLastTurn = 1e-8, kLeastApart = 1e-9;
-    for (int step = 0; step < kCoilSteps; ++step) {
+    for (int step = 0; step < 40; ++step) {
         const Vec3 deviation = p - place.centre - coil.radius * place.out;
         const Vec3 unit = cross(coil.axis, place.out), tangent = coil.radius * unit;
         const Vec3 along = coil.reach * place.motion + coil.lead * coil.axis;
@@ -49,7 +49,7 @@ CoilPlace project_onto(const Coil& coil, Vec3 p) {
         double aa = dot(tangent, tangent), bb = dot(along, along);
         const double bent_a = aa + coil.radius * dot(deviation, place.out);
         const double bent_b = bb + coil.reach * dot(deviation, cross(place.motion, coil.axis));
-        const bool is_least = bent_a > 0.0 && bent_a * bent_b - ab * ab > kLeastApart * aa * bb;
+        const bool is_least = bent_a > 0.0 && bent_a * bent_b - ab * ab > kRounding * aa * bb;
         if (is_least) {
             aa = bent_a;
             bb = bent_b;
@@ -57,18 +57,20 @@ CoilPlace project_onto(const Coil& coil, Vec3 p) {
         const double det = aa * bb - ab * ab;
         const double a = dot(tangent, deviation), b = dot(along, deviation);
         double first = a / aa, second = 0.0;
-        if (is_least || det > kLeastApart * aa * bb) {
+        if (is_least || det > kRounding * aa * bb) {
             first = (a * bb - b * ab) / det;
             second = (b * aa - a * ab) / det;
         }
         // Both steps are scaled alike: near a wall both directions are nearly parallel, and a long
         // step in one direction is undone by a step in the other.
         const double longest = std::max(std::abs(first), std::abs(second));
-        const double scale = longest > kFarthestTurn ? kFarthestTurn / longest : 1.0;
+        const double scale = longest > 0.3 ? 0.3 / longest : 1.0;
         place.out = normalized(place.out + (scale * first) * unit);
         if (second != 0.0) turn_to(coil, place.turn + scale * second, place);
         // After a step of Newton's method, the error is of the order of the step's square.
-        if (std::abs(first) + std::abs(second) < (is_least ? kLastTurn : kNoTurn)) break;
+        if (std::abs(first) + std::abs(second) <
+            (is_least ? 10.0 * kRounding : 0.1 * kUnitRounding))
+            break;
     }
     return place;
 }

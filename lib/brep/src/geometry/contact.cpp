@@ -24,9 +24,8 @@ std::optional<Form> plane_at(Vec3 origin, Vec3 normal) {
 SpiralPlace looking(const Spiral& spiral, Vec3 out) {
     const Vec3 side = cross(spiral.axis, spiral.ahead);
     SpiralPlace place = place_at(spiral, 0.0);
-    constexpr int kSteps = 8;
     double turn = angle_of(dot(out, spiral.ahead), dot(out, side)) * kRadiansPerDegree;
-    for (int step = 0; step < kSteps; ++step) {
+    for (int step = 0; step < 8; ++step) {
         place = place_at(spiral, turn);
         turn += dot(out, place.along);
     }

@@ -5,6 +5,8 @@
 
 #include "ncsim/base/angles.h"
 
+#include "geometry/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,10 +17,9 @@ namespace {
 
 // Returns the angle in (0, 360]; 0 except for rounding counts as a whole turn.
 double as_sweep(double degrees) {
-    constexpr double kNoAngle = 1e-9;
-    while (degrees <= kNoAngle)
+    while (degrees <= kRounding)
         degrees += 360.0;
-    while (degrees > 360.0 + kNoAngle)
+    while (degrees > 360.0 + kRounding)
         degrees -= 360.0;
     return degrees;
 }
@@ -104,8 +105,7 @@ Track::Step Track::step(double t) const {
 std::size_t Track::pieces() const {
     if (is_straight()) return 1;
     if (const auto* spline = std::get_if<Spline>(curve_)) return spline->knots.size() - 1;
-    constexpr double kPiece = 15.0;
-    return static_cast<std::size_t>(sweep_ / kPiece) + 1;
+    return static_cast<std::size_t>(sweep_ / 15.0) + 1;
 }
 
 double Track::start_of(std::size_t i) const {

@@ -4,6 +4,7 @@
 #include "geometry/cut_walk.h"
 
 #include "geometry/newton.h"
+#include "geometry/tolerances.h"
 
 #include <algorithm>
 #include <array>
@@ -12,31 +13,29 @@ namespace ncsim::brep {
 
 std::optional<CutWalk> walk_along_cut(const Surface& surface, const CutPlane& plane, Vec3 begin,
                                       std::span<const Vec3> ends, double chords_mm) {
-    constexpr double kLongest = 1.0, kShortest = 1e-5, kOn = 1e-6;  // mm
-    constexpr double kAhead = 0.8;                                  // cosine
-    constexpr int kMostSteps = 20'000;
     const Form level = Plane{plane.offset * plane.normal, plane.normal};
     const std::array<const Form*, 2> both{&surface.form, &level};
     const auto ahead = [&](Vec3 p) { return normalized(cross(plane.normal, outward(surface, p))); };
     CutWalk walk;
     Vec3 p = begin, direction = ahead(begin);
-    double step = 0.1 * kLongest;
-    for (int i = 0; i < kMostSteps && step > kShortest; ++i) {
+    // Steps of at most 1 mm; a curve that needs shorter ones than ten times the error of points is
+    // given up, as is one of 20,000 steps.
+    double step = 0.1;
+    for (int i = 0; i < 20'000 && step > 10.0 * kPointError; ++i) {
         const auto end = std::ranges::find_if(ends, [&](Vec3 at) {
             const double far = norm(at - p);
-            return far <= step && dot(at - p, direction) >= kAhead * far;
+            return far <= step && dot(at - p, direction) >= 0.8 * far;
         });
         if (end != ends.end()) {
             walk.end = static_cast<std::size_t>(end - ends.begin());
             return walk;
         }
         Vec3 next = p + step * direction;
-        const bool is_on = solve(both, next) < kOn;
+        const bool is_on = solve(both, next) < kPointError;
         const Vec3 on = ahead(next);
         // The height of an arc over its chord is chord times turn / 8; the limit 4 leaves a margin
         // of two.
-        constexpr double kEighths = 4.0;
-        if (!is_on || norm(next - p) * norm(on - direction) > kEighths * chords_mm ||
+        if (!is_on || norm(next - p) * norm(on - direction) > 4.0 * chords_mm ||
             dot(on, direction) <= 0.0) {
             step *= 0.5;
             continue;
@@ -44,7 +43,7 @@ std::optional<CutWalk> walk_along_cut(const Surface& surface, const CutPlane& pl
         p = next;
         direction = on;
         walk.between.push_back(p);
-        step = std::min(1.5 * step, kLongest);
+        step = std::min(1.5 * step, 1.0);
     }
     return std::nullopt;
 }

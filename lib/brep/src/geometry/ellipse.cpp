@@ -5,6 +5,8 @@
 // Source: Eberly, Distance from a Point to an Ellipse, 2013.
 #include "geometry/ellipse.h"
 
+#include "geometry/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,8 +20,7 @@ EllipseFoot foot_on_ellipse(double a, double b, double x, double y) {
         py = b * std::sqrt(std::max(0.0, 1.0 - px * px / a2));
     } else {
         double t = std::max(a * u - a2, b * v - b2);
-        constexpr int kEllipseSteps = 100;
-        for (int step = 0; step < kEllipseSteps; ++step) {
+        for (int step = 0; step < 2 * kMostSteps; ++step) {
             const double p = a * u / (t + a2), q = b * v / (t + b2);
             const double f = p * p + q * q - 1.0;
             const double slope = -2.0 * (p * p / (t + a2) + q * q / (t + b2));

@@ -10,6 +10,7 @@
 
 #include "geometry/ellipse.h"
 #include "geometry/rim.h"
+#include "geometry/tolerances.h"
 
 #include <algorithm>
 #include <array>
@@ -21,11 +22,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-// Lengths below this are rounding errors, mm.
-constexpr double kNoLength = 1e-9;
-// Length over which directions count, mm.
-constexpr double kPart = 100.0;
 
 Vec3 level(Vec3 v, Vec3 axis) {
     return v - dot(v, axis) * axis;
@@ -93,13 +89,12 @@ ClosestPoint nearest_on(const Sweep& sweep, const StraightPath& path, Vec3 p) {
 // Local minima of the distance among the samples, the nearest few: the distance at the sample, and
 // the estimated time of the minimum.
 struct Nearest {
-    static constexpr std::size_t kMost = 4;
-    std::array<double, kMost> time{}, deviation{};
+    std::array<double, 4> time{}, deviation{};
     std::size_t count = 0;
     double least = std::numeric_limits<double>::infinity();
     void take(double when, double how_far) {
         least = std::min(least, how_far);
-        if (count < kMost) {
+        if (count < time.size()) {
             time[count] = when;
             deviation[count++] = how_far;
             return;
@@ -132,14 +127,14 @@ Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
             nearest.take(when, std::sqrt(deviation(sweep.at(when))));
         return nearest;
     }
-    constexpr double kAny = std::numeric_limits<double>::infinity();
+    const double any = std::numeric_limits<double>::infinity();
     const double step = 1.0 / static_cast<double>(samples.size() - 1);
-    double before = kAny, here = deviation(samples.front());
+    double before = any, here = deviation(samples.front());
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        const double after = i + 1 < samples.size() ? deviation(samples[i + 1]) : kAny;
+        const double after = i + 1 < samples.size() ? deviation(samples[i + 1]) : any;
         if (here <= before && here < after) {
             // Minimum of the parabola through three samples.
-            const bool is_between = before < kAny && after < kAny;
+            const bool is_between = before < any && after < any;
             const double ahead =
                 is_between ? 0.5 * (before - after) / ((before - here) + (after - here)) : 0.0;
             nearest.take((static_cast<double>(i) + ahead) * step, fillet ? std::sqrt(here) : here);
@@ -171,25 +166,23 @@ void advance(ClosestPoint& closest, double by, Vec3 p) {
 // after the nearest time bound the steps. Near the edge of a fold of the envelope, there may be no
 // nearest time; the result is then the closest point at `when`.
 ClosestPoint nearest_from(const Sweep& sweep, double when, Vec3 p) {
-    constexpr int kMostSteps = 40;
-    constexpr double kNoTime = 1e-14, kAnyTime = std::numeric_limits<double>::infinity();
-    // Changes with the square of a step this short are rounding errors, on paths with at most a few
-    // turns.
-    constexpr double kShort = 1e-7;
+    const double any = std::numeric_limits<double>::infinity();
     const double longest = 1.0 / static_cast<double>(sweep.samples().size() - 1);
-    double before = -kAnyTime, after = kAnyTime;
+    double before = -any, after = any;
     ClosestPoint closest = closest_point_at(sweep, when, p);
     bool is_found = false;
-    for (int i = 0; i < kMostSteps && !is_found; ++i) {
+    for (int i = 0; i < 40 && !is_found; ++i) {
         const double t = closest.t;
         (closest.rate > 0.0 ? after : before) = t;
         const double downhill = closest.rate > 0.0 ? -longest : longest;
         const double step = closest.bend > 0.0 ? -closest.rate / closest.bend : downhill;
         double next = t + std::clamp(step, -longest, longest);
-        if (!(std::abs(next - t) > kNoTime)) return closest;
+        if (!(std::abs(next - t) > 0.01 * kUnitRounding)) return closest;
         const bool is_between = next > before && next < after;
-        if (!is_between && before > -kAnyTime && after < kAnyTime) next = 0.5 * (before + after);
-        is_found = is_between && !sweep.is_rim() && std::abs(step) < kShort;
+        if (!is_between && before > -any && after < any) next = 0.5 * (before + after);
+        // Changes with the square of a step this short are rounding errors, on paths with at most a
+        // few turns.
+        is_found = is_between && !sweep.is_rim() && std::abs(step) < 100.0 * kRounding;
         if (is_found) {
             advance(closest, step, p);
         } else {
@@ -264,7 +257,6 @@ ClosestPoint project_onto(const Envelope& envelope, Vec3 p) {
     // If the path returns, a different time may be as near at a sample and nearer between samples,
     // by at most half a step of the path. Times beyond the ends count less with increasing
     // distance.
-    constexpr double kBeyondEnd = 0.25;
     const Nearest nearest = nearest_samples(sweep, p);
     const double half = 0.5 * sweep.length_mm() / static_cast<double>(sweep.samples().size() - 1);
     // The surface swept by a rim may be near on both sides.
@@ -281,7 +273,7 @@ ClosestPoint project_onto(const Envelope& envelope, Vec3 p) {
         if (const double end = std::clamp(closest.t, 0.0, 1.0);
             nearest.count > 1 && closest.t != end) {
             const double beyond = std::abs(closest.t - end) * sweep.length_mm();
-            deviation = far(closest_point_at(sweep, end, p)) + kBeyondEnd * beyond;
+            deviation = far(closest_point_at(sweep, end, p)) + 0.25 * beyond;
         }
         if (deviation >= least) continue;
         least = deviation;
@@ -300,8 +292,8 @@ ClosestPoint project_onto(const Envelope& envelope, Vec3 p, double near_time) {
 }
 
 ClosestPoint project_onto(const Envelope& envelope, Vec3 p, ProjectionSeed& seed) {
-    constexpr double kFarthest = 0.1;  // Faster changes are not extrapolated.
-    const double later = std::clamp(dot(seed.slope, p - seed.at), -kFarthest, kFarthest);
+    // Faster changes are not extrapolated.
+    const double later = std::clamp(dot(seed.slope, p - seed.at), -0.1, 0.1);
     const ClosestPoint closest =
         seed.time ? project_onto(envelope, p, *seed.time + later) : project_onto(envelope, p);
     seed = {closest.t, p, gradient_of_time(closest)};
@@ -355,11 +347,9 @@ Vec3 normal_across(const Fillet& fillet, const ToolFrame& tool, const PathFrame&
         const Vec3 n = normal(ahead), out = normalized(level(n, tool.axis));
         return ahead - fillet.centre_radius * dot(n, tool.axis) * dot(out, tool.turn) / speed;
     };
-    constexpr int kMostSecants = 60;
-    constexpr double kNoSine = 1e-16;
     double low = -most, high = most, below = deviation(low), above = deviation(high);
     double ahead = 0.0, value = deviation(ahead);
-    for (int i = 0; i < kMostSecants && std::abs(value) > kNoSine; ++i) {
+    for (int i = 0; i < kMostSteps && std::abs(value) > 1e-16; ++i) {
         const bool is_low = value < 0.0;
         (is_low ? low : high) = ahead;
         (is_low ? below : above) = value;
@@ -374,19 +364,18 @@ Vec3 normal_across(const Fillet& fillet, const ToolFrame& tool, const PathFrame&
 // Returns the point of a fillet at `degrees` around the path. The angle of the point grows with the
 // angle of the point's normal; both angles are on the same side of `up` and down.
 Vec3 point_around(const Sweep& sweep, const ToolFrame& tool, double degrees) {
-    constexpr double kHalf = 180.0;
-    if (sweep.is_ball() || degrees == kHalf) return point_with_normal(sweep, tool, degrees);
+    if (sweep.is_ball() || degrees == kHalfTurnDegrees)
+        return point_with_normal(sweep, tool, degrees);
     const PathFrame at = path_frame(sweep, tool);
-    double low = degrees < kHalf ? 0.0 : kHalf, high = low + kHalf;
-    constexpr int kMostSecants = 60;
-    constexpr double kNoAngle = 1e-14;
+    double low = degrees < kHalfTurnDegrees ? 0.0 : kHalfTurnDegrees, high = low + kHalfTurnDegrees;
     // Secants (Illinois), and bisection where secants are slow.
     const auto deviation = [&](double normal) {
         return degrees_around(at, point_with_normal(sweep, tool, normal)) - degrees;
     };
-    double below = (low == 0.0 ? 0.0 : kHalf) - degrees, above = below + kHalf;
+    double below = (low == 0.0 ? 0.0 : kHalfTurnDegrees) - degrees,
+           above = below + kHalfTurnDegrees;
     double normal = degrees;
-    for (int i = 0; i < kMostSecants && high - low > kNoAngle * kHalf; ++i) {
+    for (int i = 0; i < kMostSteps && high - low > 0.01 * kUnitRounding * kHalfTurnDegrees; ++i) {
         normal = i % 3 == 2 ? 0.5 * (low + high) : low - below * (high - low) / (above - below);
         if (!(normal > low && normal < high)) normal = 0.5 * (low + high);
         const double value = deviation(normal);
@@ -430,11 +419,10 @@ Vec3 point_across(const Sweep& sweep, const ToolFrame& tool, double place) {
 }
 
 bool has_across(const Sweep& sweep) {
-    constexpr double kSteepest = 0.999, kFlattest = 1e-3;
     if (const Flank* flank = sweep.flank()) {
         const auto touches = [&](const ToolFrame& at, double along) {
             const Contact contact(*flank, at, along);
-            return norm(contact.velocity) > kNoLength && std::abs(contact.lean) < kSteepest;
+            return norm(contact.velocity) > kRounding && std::abs(contact.lean) < 1.0 - kLeastSine;
         };
         return std::ranges::all_of(sweep.samples(), [&](const ToolFrame& at) {
             return touches(at, 0.0) || touches(at, flank->length);
@@ -442,16 +430,15 @@ bool has_across(const Sweep& sweep) {
     }
     // The flat end of a tool that turns must not be level anywhere: the parts of the end ahead of
     // and behind the level line would touch the envelope in two curves.
-    constexpr double kClear = 1.1;
     const double centre_radius = sweep.fillet()->centre_radius;
     bool rises = false, falls = false;
     const bool is_usual = std::ranges::all_of(sweep.samples(), [&](const ToolFrame& at) {
         const Vec3 velocity = velocity_at(at, lowest_centre(sweep));
         const double lean = dot(velocity, at.axis), length = norm(velocity);
-        const double least = std::max(kFlattest * length, kClear * centre_radius * norm(at.turn));
+        const double least = std::max(kLeastSine * length, 1.1 * centre_radius * norm(at.turn));
         rises = rises || lean > -least;
         falls = falls || lean < least;
-        return length > kNoLength && std::abs(lean) < kSteepest * length;
+        return length > kRounding && std::abs(lean) < (1.0 - kLeastSine) * length;
     });
     return is_usual && (sweep.is_ball() || !rises || !falls);
 }
@@ -462,9 +449,8 @@ bool is_at_pivot(const Sweep& sweep, const ClosestPoint& closest) {
     const ToolFrame& at = closest.tool;
     const Seen seen(at, closest.foot);
     const Contact contact(*flank, at, place_along(*flank, seen));
-    constexpr double kSteepest = 0.999;
-    return norm(contact.velocity) < seen.radius * norm(at.turn) + kNoLength ||
-           std::abs(contact.lean) > kSteepest;
+    return norm(contact.velocity) < seen.radius * norm(at.turn) + kRounding ||
+           std::abs(contact.lean) > 1.0 - kLeastSine;
 }
 
 double largest_radius(const Sweep& sweep) {
@@ -488,8 +474,8 @@ bool is_same(const Meridian& a, const Meridian& b, double tolerance_mm) {
     const auto &flank = std::get<Flank>(a), &other = std::get<Flank>(b);
     const double deviation =
         flank.cosine * (other.radius - flank.radius) + flank.sine * (other.height - flank.height);
-    return is_near(deviation, 0.0) && is_near(kPart * (flank.cosine - other.cosine), 0.0) &&
-           is_near(kPart * (flank.sine - other.sine), 0.0);
+    return is_near(deviation, 0.0) && is_near(kPartMm * (flank.cosine - other.cosine), 0.0) &&
+           is_near(kPartMm * (flank.sine - other.sine), 0.0);
 }
 
 bool is_same(const Envelope& a, const Envelope& b, double tolerance_mm) {
@@ -499,8 +485,8 @@ bool is_same(const Envelope& a, const Envelope& b, double tolerance_mm) {
     if (line && std::holds_alternative<StraightPath>(b.sweep->path())) {
         const auto second = path_frame(*b.sweep, b.sweep->at(0.0));
         const Vec3 axis = a.sweep->at(0.0).axis, second_axis = b.sweep->at(0.0).axis;
-        return norm(cross(axis, second_axis)) <= tolerance_mm / kPart &&
-               norm(cross(first.ahead, second.ahead)) <= tolerance_mm / kPart &&
+        return norm(cross(axis, second_axis)) <= tolerance_mm / kPartMm &&
+               norm(cross(first.ahead, second.ahead)) <= tolerance_mm / kPartMm &&
                norm(level(second.centre - first.centre, first.ahead)) <= tolerance_mm;
     }
     if (a.sweep->path().index() != b.sweep->path().index()) return false;
@@ -511,7 +497,7 @@ bool is_same(const Envelope& a, const Envelope& b, double tolerance_mm) {
     for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         const ToolFrame p = a.sweep->at(t), q = b.sweep->at(is_back ? 1.0 - t : t);
         if (norm(middle_of(*a.sweep, p) - middle_of(*b.sweep, q)) > tolerance_mm ||
-            norm(p.axis - q.axis) > tolerance_mm / kPart)
+            norm(p.axis - q.axis) > tolerance_mm / kPartMm)
             return false;
     }
     return true;

@@ -54,12 +54,11 @@ std::optional<Axis> common_axis(const Form& a, const Form& b) {
 // tolerance, the circle has the cylinder's radius. A circle that ends at an angle to another edge
 // must end in the corner itself.
 Curve circle_about(const Axis& axis, Vec3 p, const Form& a, const Form& b) {
-    constexpr double kOfReaders = 2e-7;
     const Vec3 centre = axis.origin + dot(p - axis.origin, axis.direction) * axis.direction;
     double radius = norm(p - centre);
     for (const Form* form : {&a, &b}) {
         const auto* wall = std::get_if<Cylinder>(form);
-        if (wall && std::abs(wall->radius - radius) <= kOfReaders) radius = wall->radius;
+        if (wall && std::abs(wall->radius - radius) <= 2.0 * kReaderMm) radius = wall->radius;
     }
     return Circle{centre, axis.direction, radius};
 }
@@ -264,8 +263,7 @@ std::optional<Curve> intersection_curve(const Form& a, const Form& b, Vec3 p, Ve
         const double lean = std::abs(dot(plane.normal, f->axis));
         if (lean <= kParallelAngle) return Line{};
         // Readers draw nothing of an ellipse that is metres long.
-        constexpr double kLongest = 1e-2;
-        if (lean < kLongest) return std::nullopt;
+        if (lean < 10.0 * kLeastSine) return std::nullopt;
         return ellipse(plane, *f);
     }
     if (const auto* f = std::get_if<Extrusion>(&other)) {
@@ -283,11 +281,10 @@ std::optional<Curve> intersection_curve(const Form& a, const Form& b, Vec3 p, Ve
     }
     if (std::holds_alternative<Cone>(other)) {
         // Rulings pass through the apex.
-        constexpr double kOn = 1e-9;
         const Vec3 middle = 0.5 * (p + q);
         if (norm(q - p) > kTangencyGapMm &&
-            std::abs(distance(plane, std::get<Cone>(other).apex)) < kOn &&
-            std::abs(distance(other, middle)) < kOn)
+            std::abs(distance(plane, std::get<Cone>(other).apex)) < kRounding &&
+            std::abs(distance(other, middle)) < kRounding)
             return Line{};
     }
     return std::nullopt;

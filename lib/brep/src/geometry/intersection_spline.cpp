@@ -6,6 +6,7 @@
 #include "geometry/intersection_spline.h"
 
 #include "geometry/newton.h"
+#include "geometry/tolerances.h"
 
 #include <algorithm>
 #include <array>
@@ -18,12 +19,6 @@ namespace ncsim::brep {
 
 namespace {
 
-constexpr double kAccuracy = 1e-5;           // mm
-constexpr double kLeastCrossingSine = 1e-3;  // sine of the angle between both forms
-constexpr double kLeastStep = 1e-4;          // mm
-constexpr double kStraight = 0.7;            // cosine between chord and direction, at least
-constexpr int kMostSplineSteps = 1000;
-
 struct Knot {
     Vec3 at, along;  // unit
 };
@@ -35,14 +30,14 @@ public:
         for (const Form* form : forms_) {
             for (const Vec3& p : {begin, end})
                 accuracy_ =
-                    std::max(accuracy_, 0.5 * kAccuracy + 1.5 * std::abs(distance(*form, p)));
+                    std::max(accuracy_, 5.0 * kPointError + 1.5 * std::abs(distance(*form, p)));
         }
     }
 
     Vec3 direction(Vec3 p, Vec3 ahead) {
         const Vec3 t = cross(evaluate(*forms_[0], p, seeds_[0]).gradient,
                              evaluate(*forms_[1], p, seeds_[1]).gradient);
-        if (norm(t) < kLeastCrossingSine) return {};
+        if (norm(t) < kLeastSine) return {};
         return dot(t, ahead) < 0.0 ? -normalized(t) : normalized(t);
     }
 
@@ -55,7 +50,6 @@ public:
         if (plain != Vec3{}) return plain;
         // The nearest point is best unless rounding in the program bends the curve there. Takes the
         // first direction with which the direction from the next farther point agrees.
-        constexpr double kAgree = 0.01;  // radians, nearly
         Vec3 along = ahead;
         bool is_first = true;
         for (const double nearby : {0.02, 0.1, 0.4, 1.6}) {  // mm
@@ -64,7 +58,7 @@ public:
             const Vec3 there = direction(p, ahead);
             if (there == Vec3{}) continue;
             const Vec3 farther = normalized(2.0 * normalized(p - end) - there);
-            if (!is_first && norm(farther - along) < kAgree) break;
+            if (!is_first && norm(farther - along) < 10.0 * kLeastSine) break;
             along = farther;
             is_first = false;
         }
@@ -76,7 +70,7 @@ public:
         to.at = from.at + step * from.along;
         const Form across = Plane{to.at, from.along};
         const std::array<const Form*, 3> three{forms_[0], forms_[1], &across};
-        if (solve(three, to.at, seeds_) > kAccuracy * kAccuracy) return false;
+        if (solve(three, to.at, seeds_) > 0.1 * kRounding) return false;
         to.along = direction(to.at, to.at - from.at);
         return to.along != Vec3{} && follows(from, to);
     }
@@ -90,8 +84,7 @@ public:
     bool follows(const Knot& from, const Knot& to, double first, double last) {
         const Vec3 chord = to.at - from.at;
         const double length = norm(chord);
-        if (dot(from.along, chord) < kStraight * length ||
-            dot(to.along, chord) < kStraight * length)
+        if (dot(from.along, chord) < 0.7 * length || dot(to.along, chord) < 0.7 * length)
             return false;
         for (const double s : {0.2, 0.4, 0.6, 0.8}) {
             const double r = 1.0 - s;
@@ -107,7 +100,7 @@ public:
 private:
     std::array<const Form*, 2> forms_;
     std::array<ProjectionSeed, 3> seeds_;  // For both forms and the plane across.
-    double accuracy_ = 0.5 * kAccuracy;
+    double accuracy_ = 5.0 * kPointError;
 };
 
 // Speed at each knot, and parameter width of each piece.
@@ -159,14 +152,12 @@ Spline through(const std::vector<Knot>& knots, const Pace& pace) {
 
 // Returns a spline through the knots, with more knots where the spline would be too far off.
 Spline through(Walk& walk, const std::vector<Knot>& knots) {
-    constexpr double kEven = 10.0;
-    constexpr int kMostPasses = 20;
     const std::vector<double> chords = chords_of(knots);
     const auto [shortest, longest] = std::ranges::minmax(chords);
     const Pace even = even_pace(knots);
-    if (longest < kEven * shortest) return through(knots, even);
+    if (longest < 10.0 * shortest) return through(knots, even);
     std::vector<Knot> finer = knots;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < 20; ++pass) {
         const Pace pace = pace_by_chords(finer);
         std::vector<Knot> next{finer.front()};
         for (std::size_t i = 1; i < finer.size(); ++i) {
@@ -210,8 +201,9 @@ std::optional<Spline> follow(const Form& a, const Form& b, const std::vector<Vec
     const Knot goal{end, -walk.end_direction(end, far_from(end, points.rbegin(), points.rend()))};
     std::vector<Knot> knots{at};
     // A path as short as the least step is tried as a whole.
-    double step = std::max(0.25 * length, 2.0 * kLeastStep), passed = 0.0;
-    for (int i = 0; i < kMostSplineSteps && step > kLeastStep && passed < 2.0 * length + 1.0; ++i) {
+    const double least = 0.1 * kLeastSizeMm;
+    double step = std::max(0.25 * length, 2.0 * least), passed = 0.0;
+    for (int i = 0; i < 1000 && step > least && passed < 2.0 * length + 1.0; ++i) {
         const double rest = norm(goal.at - at.at);
         const bool is_near = i > 0 || norm(end - begin) > 0.5 * length;
         if (rest <= 1.5 * step && is_near && rest > 0.0 && walk.follows(at, goal)) {
@@ -219,8 +211,8 @@ std::optional<Spline> follow(const Form& a, const Form& b, const std::vector<Vec
             return through(walk, knots);
         }
         // A closed curve begins at its end; the end is ahead after half of the path.
-        const bool is_ahead = norm(end - begin) > kLeastStep || passed > 0.5 * length;
-        const double most = is_ahead ? std::max(0.6 * rest, 4.0 * kLeastStep) : step;
+        const bool is_ahead = norm(end - begin) > least || passed > 0.5 * length;
+        const double most = is_ahead ? std::max(0.6 * rest, 4.0 * least) : step;
         Knot next;
         if (!walk.advance(at, std::min(step, most), next)) {
             step *= 0.5;
@@ -239,9 +231,8 @@ std::optional<Spline> follow(const Form& a, const Form& b, const std::vector<Vec
 std::optional<Spline> intersection_spline(const Form& a, const Form& b,
                                           const std::vector<Vec3>& points) {
     // Near a sharp corner of the path, distant points lie behind.
-    constexpr double kFar = 0.2, kNearer = 0.05;
-    auto spline = follow(a, b, points, kFar);
-    return spline ? spline : follow(a, b, points, kNearer);
+    auto spline = follow(a, b, points, 0.2);
+    return spline ? spline : follow(a, b, points, 0.05);
 }
 
 }  // namespace ncsim::brep

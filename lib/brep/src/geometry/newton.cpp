@@ -3,6 +3,8 @@
 // Newton's method with the shortest step, for any number of forms.
 #include "geometry/newton.h"
 
+#include "geometry/tolerances.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,9 +25,8 @@ struct Eigen {
 
 Eigen eigen(std::array<std::array<double, 3>, 3> m) {
     std::array<std::array<double, 3>, 3> v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    constexpr int kSweeps = 12;
     const double trace = m[0][0] + m[1][1] + m[2][2];
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (int sweep = 0; sweep < 12; ++sweep) {
         const double off_diagonal = std::abs(m[0][1]) + std::abs(m[0][2]) + std::abs(m[1][2]);
         if (off_diagonal <= 1e-18 * trace) break;
         for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
@@ -61,20 +62,18 @@ Eigen eigen(std::array<std::array<double, 3>, 3> m) {
 
 // Returns the shortest step that best solves m step = right, for a matrix that may be singular.
 Vec3 shortest_step(const std::array<std::array<double, 3>, 3>& m, Vec3 right) {
-    constexpr double kFlat = 1e-9;
     // A well-conditioned matrix is inverted by cofactors.
-    constexpr double kClear = 1e-2;
     const Vec3 x{m[0][0], m[0][1], m[0][2]}, y{m[1][0], m[1][1], m[1][2]};
     const Vec3 z{m[2][0], m[2][1], m[2][2]};
     const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
     const double determinant = dot(x, yz), mean = (x.x + y.y + z.z) / 3.0;
-    if (determinant > kClear * mean * mean * mean)
+    if (determinant > 1e-2 * mean * mean * mean)
         return (1.0 / determinant) * (right.x * yz + right.y * zx + right.z * xy);
     const Eigen e = eigen(m);
     const double largest = std::max({e.values[0], e.values[1], e.values[2]});
     Vec3 step;
     for (std::size_t i = 0; i < 3; ++i) {
-        if (e.values[i] > kFlat * largest)
+        if (e.values[i] > kRounding * largest)
             step = step + (dot(right, e.vectors[i]) / e.values[i]) * e.vectors[i];
     }
     return step;
@@ -88,10 +87,7 @@ double solve(std::span<const Form* const> forms, Vec3& p) {
 }
 
 double solve(std::span<const Form* const> forms, Vec3& p, std::span<ProjectionSeed> seeds) {
-    constexpr int kMostSteps = 60;
-    constexpr double kLongest = 1.0;
     // Steps this short are rounding errors as soon as they do not become shorter.
-    constexpr double kRounding = 1e-10;
     double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step < kMostSteps; ++step) {
         std::array<std::array<double, 3>, 3> m{};
@@ -106,8 +102,9 @@ double solve(std::span<const Form* const> forms, Vec3& p, std::span<ProjectionSe
         }
         const Vec3 move = shortest_step(m, right);
         const double length = norm(move);
-        p = p + (length > kLongest ? kLongest / length : 1.0) * move;
-        if (length == 0.0 || (length < kRounding && length > 0.5 * before)) break;
+        // Steps of at most 1 mm stay near the corner that is wanted.
+        p = p + (length > 1.0 ? 1.0 / length : 1.0) * move;
+        if (length == 0.0 || (length < 0.1 * kRounding && length > 0.5 * before)) break;
         before = length;
     }
     double miss = 0.0;

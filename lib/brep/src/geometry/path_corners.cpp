@@ -17,15 +17,15 @@ namespace {
 
 // Returns the planes of bend_planes() in path_corners.h, for extrusions.
 std::optional<std::array<Plane, 2>> bend_planes(const Extrusion& a, const Extrusion& b) {
-    constexpr double kEqual = 1e-6, kLeastAngle = 3e-5;
-    if (std::abs(a.radius - b.radius) > kEqual || !is_parallel(a.axis, b.axis)) return std::nullopt;
+    if (std::abs(a.radius - b.radius) > kPointError || !is_parallel(a.axis, b.axis))
+        return std::nullopt;
     // Offset between the circles at the height of the first centre, and the offset's growth per mm
     // of height.
     const auto lean = [&](const Extrusion& e) { return (1.0 / dot(e.along, a.axis)) * e.along; };
     const Vec3 first = lean(a), second = lean(b), drift = second - first;
     const Vec3 separation = b.centre + dot(a.centre - b.centre, a.axis) * second - a.centre;
     const double length = norm(drift);
-    if (length < kLeastAngle || norm(cross(separation, drift)) > kEqual * length)
+    if (length < 3.0 * kParallelAngle || norm(cross(separation, drift)) > kPointError * length)
         return std::nullopt;
     const Vec3 centre = a.centre - (dot(separation, drift) / (length * length)) * first;
     return {{Plane{centre, a.axis},
@@ -35,9 +35,8 @@ std::optional<std::array<Plane, 2>> bend_planes(const Extrusion& a, const Extrus
 // Returns the centre of the circle that `dome` has in common with an equal circle that moves along
 // a line. If there are two, returns the centre nearest to the height of `p`.
 std::optional<Vec3> common_circle(const Dome& dome, const Form& other, Vec3 p) {
-    constexpr double kEqual = 1e-6;
     const auto moved = moved_circle(other, dome.axis);
-    if (!moved || std::abs(moved->radius - dome.radius) > kEqual ||
+    if (!moved || std::abs(moved->radius - dome.radius) > kPointError ||
         !is_parallel(moved->axis, dome.axis))
         return std::nullopt;
     const Vec3 side = cross(dome.axis, dome.ahead), v = moved->centre - dome.centre;
@@ -83,8 +82,6 @@ std::optional<MovingCircle> circle_at_height(const Form& form, Vec3 axis, Vec3 p
 // of `p`.
 std::optional<Vec3> common_circle(const Coil& coil, const Form& other, Vec3 p) {
     const Vec3 start = p;
-    constexpr double kEqual = 1e-6, kFarthestStep = 0.3;
-    constexpr int kMostSteps = 30;
     if (const auto* wall = std::get_if<Cylinder>(&other)) {
         // The circle passes the cylinder once per turn.
         if (!is_parallel(wall->axis, coil.axis)) return std::nullopt;
@@ -95,18 +92,17 @@ std::optional<Vec3> common_circle(const Coil& coil, const Form& other, Vec3 p) {
         p = near_p.centre + (degrees * kRadiansPerDegree * coil.lead) * coil.axis;
     }
     Vec3 at = p;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMostSteps / 2; ++step) {
         const auto one = circle_at_height(coil, coil.axis, at);
         const auto two = circle_at_height(other, coil.axis, at);
-        if (!two || std::abs(two->radius - coil.radius) > kEqual) return std::nullopt;
+        if (!two || std::abs(two->radius - coil.radius) > kPointError) return std::nullopt;
         const Vec3 separation = two->centre - one->centre, drift = two->slope - one->slope;
         const double square = dot(drift, drift);
-        if (square < kEqual * kEqual) return std::nullopt;
-        const double farthest = kFarthestStep * std::abs(coil.lead);
+        if (square < kPointError * kPointError) return std::nullopt;
+        const double farthest = 0.3 * std::abs(coil.lead);
         const double up = std::clamp(-dot(separation, drift) / square, -farthest, farthest);
         at = at + up * coil.axis;
-        constexpr double kNoStep = 1e-14;
-        if (std::abs(up) > kNoStep && step + 1 < kMostSteps) continue;
+        if (std::abs(up) > 0.01 * kUnitRounding && step + 1 < kMostSteps / 2) continue;
         if (norm(separation) > kTangencyGapMm || !belongs_to_circle(coil, one->centre, start))
             return std::nullopt;
         return one->centre;
@@ -117,10 +113,11 @@ std::optional<Vec3> common_circle(const Coil& coil, const Form& other, Vec3 p) {
 }  // namespace
 
 std::optional<std::array<Plane, 2>> mitre_planes(const Cylinder& a, const Cylinder& b) {
-    constexpr double kEqual = 1e-6, kLeastAngle = 3e-5;
     const Vec3 normal = cross(a.axis, b.axis);
-    if (std::abs(a.radius - b.radius) > kEqual || norm(normal) < kLeastAngle) return std::nullopt;
-    if (std::abs(dot(b.origin - a.origin, normal)) > kEqual * norm(normal)) return std::nullopt;
+    if (std::abs(a.radius - b.radius) > kPointError || norm(normal) < 3.0 * kParallelAngle)
+        return std::nullopt;
+    if (std::abs(dot(b.origin - a.origin, normal)) > kPointError * norm(normal))
+        return std::nullopt;
     // Point of the first axis in the plane of the second axis and the normal.
     const Vec3 side = cross(normal, b.axis);
     const Vec3 centre = a.origin + (dot(b.origin - a.origin, side) / dot(a.axis, side)) * a.axis;

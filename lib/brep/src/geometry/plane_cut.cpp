@@ -5,19 +5,12 @@
 
 #include "ncsim/base/angles.h"
 
+#include "geometry/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace ncsim::brep {
-
-namespace {
-
-// Sine of the angle below which directions count as equal.
-constexpr double kParallel = 1e-9;
-// Distance within which a plane contains an axis or an apex, mm.
-constexpr double kHolds = 4e-6;
-
-}  // namespace
 
 PlaneCut::PlaneCut(const Form& form, const CutPlane& plane) : plane_(plane) {
     std::visit([this](const auto& f) { cut(f); }, form);
@@ -30,7 +23,7 @@ void PlaneCut::add(const CutBranch& branch) {
 
 void PlaneCut::cut(const Plane& f) {
     const Vec3 along = cross(plane_.normal, f.normal);
-    if (norm(along) < kParallel) return;
+    if (norm(along) < kRounding) return;
     kind_ = Kind::Straight;
     // Point of both planes that is nearest to the origin of `f`.
     const Vec3 level = normalized(cross(f.normal, along));
@@ -40,7 +33,7 @@ void PlaneCut::cut(const Plane& f) {
 
 void PlaneCut::cut(const Cylinder& f) {
     const double cosine = dot(f.axis, plane_.normal);
-    if (std::abs(cosine) < kParallel) {
+    if (std::abs(cosine) < kRounding) {
         kind_ = Kind::Straight;
         const double h = plane_.height(f.origin);
         if (std::abs(h) > f.radius) return;
@@ -55,7 +48,7 @@ void PlaneCut::cut(const Cylinder& f) {
     const Vec3 centre = f.origin - (plane_.height(f.origin) / cosine) * f.axis;
     Vec3 x = f.axis - cosine * plane_.normal;
     double longer = f.radius / std::abs(cosine);
-    if (norm(x) < kParallel) {
+    if (norm(x) < kRounding) {
         x = any_perpendicular(plane_.normal);
         longer = f.radius;
     }
@@ -68,8 +61,8 @@ void PlaneCut::cut(const Cone& f) {
     const double h = -plane_.height(f.apex);  // Distance of the plane in front of the apex.
     const Vec3 lean = plane_.normal - cosine * f.axis;
     const double sine = norm(lean);
-    through_apex_ = std::abs(h) <= kHolds;
-    if (sine < kParallel) {
+    through_apex_ = std::abs(h) <= 4.0 * kPointError;
+    if (sine < kRounding) {
         kind_ = Kind::Round;
         const double height = h / cosine;
         if (height <= 0.0) return;
@@ -82,8 +75,7 @@ void PlaneCut::cut(const Cone& f) {
     // Rulings in the plane of axis and normal meet the plane at h / first and h / second along the
     // axis.
     const double first = cosine + f.slope * sine, second = cosine - f.slope * sine;
-    constexpr double kParallel = 1e-6;
-    if (!through_apex_ && first * second > kParallel) {
+    if (!through_apex_ && first * second > kLeastSine * kLeastSine) {
         kind_ = Kind::Round;
         if (h / first <= 0.0) return;
         const Vec3 a = f.apex + (h / first) * (f.axis + f.slope * side);
@@ -97,7 +89,7 @@ void PlaneCut::cut(const Cone& f) {
         add({centre, x, minor * normalized(cross(plane_.normal, x))});
         return;
     }
-    if (!through_apex_ && first * second > -kParallel) return;  // nearly a parabola
+    if (!through_apex_ && first * second > -(kLeastSine * kLeastSine)) return;  // nearly a parabola
     if (through_apex_ && first * second > 0.0) {
         kind_ = Kind::Nothing;
         return;
@@ -125,7 +117,7 @@ void PlaneCut::cut(const Sphere& f) {
 void PlaneCut::cut(const Torus& f) {
     const double cosine = dot(f.axis, plane_.normal);
     const double h = plane_.height(f.centre);
-    if (norm(cross(f.axis, plane_.normal)) < kParallel) {
+    if (norm(cross(f.axis, plane_.normal)) < kRounding) {
         kind_ = Kind::Round;
         if (std::abs(h) >= f.minor) return;
         const double half = std::sqrt(f.minor * f.minor - h * h);
@@ -136,7 +128,7 @@ void PlaneCut::cut(const Torus& f) {
         }
         return;
     }
-    if (std::abs(cosine) > kParallel) return;
+    if (std::abs(cosine) > kRounding) return;
     kind_ = Kind::Spiric;
     if (std::abs(h) >= f.major + f.minor) return;
     major_ = f.major;
@@ -146,7 +138,7 @@ void PlaneCut::cut(const Torus& f) {
     axis_ = f.axis;
     x_ = normalized(cross(f.axis, plane_.normal));
     count_ = offset_ < f.major - f.minor ? 2 : 1;
-    if (offset_ > kHolds) return;
+    if (offset_ > 4.0 * kPointError) return;
     for (const double sign : {1.0, -1.0})
         add({f.centre + (sign * f.major) * x_, (sign * f.minor) * x_, f.minor * axis_});
 }
@@ -155,7 +147,7 @@ void PlaneCut::cut(const Extrusion& f) {
     const double lean = dot(f.along, plane_.normal);
     // Moves vectors of the circle's plane along the line into the cutting plane.
     const auto dropped = [&](Vec3 v) { return v - (dot(v, plane_.normal) / lean) * f.along; };
-    if (std::abs(lean) < kParallel) {
+    if (std::abs(lean) < kRounding) {
         kind_ = Kind::Straight;
         const Vec3 level = plane_.normal - dot(plane_.normal, f.axis) * f.axis;
         const double length = norm(level), h = plane_.height(f.centre) / length;
@@ -174,7 +166,7 @@ void PlaneCut::cut(const Extrusion& f) {
     const double difference = dot(u, u) - dot(v, v), both = 2.0 * dot(u, v);
     const double length = std::sqrt(difference * difference + both * both);
     double cosine = 1.0, sine = 0.0;
-    if (length > kParallel * dot(u, u)) {
+    if (length > kRounding * dot(u, u)) {
         cosine = std::sqrt(0.5 * (1.0 + difference / length));
         sine = std::sqrt(0.5 * (1.0 - difference / length));
         if (both < 0.0) sine = -sine;
@@ -185,7 +177,7 @@ void PlaneCut::cut(const Extrusion& f) {
 
 // Level planes cut the circle at their height; all other cuts stay unknown.
 void PlaneCut::cut(const Dome& f) {
-    if (norm(cross(f.axis, plane_.normal)) >= kParallel) return;
+    if (norm(cross(f.axis, plane_.normal)) >= kRounding) return;
     kind_ = Kind::Round;
     const Vec3 foot = f.centre - plane_.height(f.centre) * plane_.normal;
     if (std::abs(plane_.height(f.centre)) >= f.reach) return;
@@ -194,7 +186,7 @@ void PlaneCut::cut(const Dome& f) {
 }
 
 void PlaneCut::cut(const Coil& f) {
-    if (norm(cross(f.axis, plane_.normal)) >= kParallel) return;
+    if (norm(cross(f.axis, plane_.normal)) >= kRounding) return;
     kind_ = Kind::Round;
     const Vec3 foot = f.centre - plane_.height(f.centre) * plane_.normal;
     const Vec3 x = any_perpendicular(plane_.normal);
@@ -243,8 +235,7 @@ Vec3 PlaneCut::at(std::size_t branch, double place) const {
     // Seen from the middle, there is one point in each direction; nearer points are inside the
     // tube.
     double near = 0.0, far = major_ + minor_;
-    constexpr int kHalvings = 60;
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < kMostSteps; ++i) {
         const double s = 0.5 * (near + far);
         const double out = s * angle.cos, up = s * angle.sin;
         const double radial = std::sqrt(out * out + offset_ * offset_) - major_;
@@ -256,8 +247,7 @@ Vec3 PlaneCut::at(std::size_t branch, double place) const {
 bool PlaneCut::grows(Vec3 p, Vec3 d) const {
     const std::size_t branch = branch_of(p);
     const double place = place_of(p);
-    constexpr double kStep = 1e-2;  // degrees, mm
-    return dot(at(branch, place + kStep) - at(branch, place - kStep), d) > 0.0;
+    return dot(at(branch, place + 1e-2) - at(branch, place - 1e-2), d) > 0.0;
 }
 
 std::optional<CutBranch> PlaneCut::exact(std::size_t branch) const {

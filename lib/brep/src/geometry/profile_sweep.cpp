@@ -36,14 +36,13 @@ std::size_t samples_for(const StraightPath&) {
     return 2;
 }
 std::size_t samples_for(const HelixPath& path) {
-    constexpr double kStep = 5.0;  // degrees
-    return 9 + static_cast<std::size_t>(std::abs(path.swept) / kRadiansPerDegree / kStep);
+    // A sample every 5 degrees.
+    return 9 + static_cast<std::size_t>(std::abs(path.swept) / kRadiansPerDegree / 5.0);
 }
 
 // A path with few powers is nearly straight and needs few samples.
 std::size_t samples_for(const RotaryPath& path) {
-    constexpr std::size_t kMost = 33;
-    return std::min(kMost, 2 * path.powers.size() + 1);
+    return std::min<std::size_t>(33, 2 * path.powers.size() + 1);
 }
 
 }  // namespace

@@ -136,14 +136,12 @@ double place_on_rim(const Sweep& sweep, const ToolFrame& tool, Vec3 p) {
     const PathFrame at = path_frame(sweep, tool);
     const Vec3 v = p - at.centre;
     const double degrees = angle_of(dot(v, middle_way(sweep, tool, at)), dot(v, at.side));
-    constexpr double kHalf = 180.0;
-    return kHalf - degrees;
+    return kHalfTurnDegrees - degrees;
 }
 
 Vec3 point_on_rim(const Sweep& sweep, const ToolFrame& tool, double place) {
     const PathFrame at = path_frame(sweep, tool);
-    constexpr double kHalf = 180.0;
-    const auto angle = sin_cos(kHalf - place);
+    const auto angle = sin_cos(kHalfTurnDegrees - place);
     const Vec3 out = angle.cos * middle_way(sweep, tool, at) + angle.sin * at.side;
     return at.centre + sweep.fillet()->centre_radius * out;
 }

@@ -7,6 +7,8 @@
 #include "ncsim/base/angles.h"
 #include "ncsim/brep/profile_sweep.h"
 
+#include "geometry/tolerances.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,8 +37,8 @@ double time_of(double place) {
 // Returns cos(`times` φ), where cos φ is the k-th zero of the Chebyshev polynomial of degree
 // kTerms.
 double cosine_at(std::size_t k, std::size_t times) {
-    constexpr double kHalf = 180.0;
-    const double degrees = kHalf * (static_cast<double>(k) + 0.5) / static_cast<double>(kTerms);
+    const double degrees =
+        kHalfTurnDegrees * (static_cast<double>(k) + 0.5) / static_cast<double>(kTerms);
     return sin_cos(static_cast<double>(times) * degrees).cos;
 }
 
@@ -59,8 +61,7 @@ std::vector<Coordinates> terms_through(const std::array<Coordinates, kTerms>& va
         double largest = 0.0;
         for (const Coordinates& other : terms)
             largest = std::max(largest, size(other, from));
-        constexpr double kRounding = 4e-15;
-        return size(term, from) > kRounding * largest;
+        return size(term, from) > 4e-15 * largest;
     };
     // Short rotations have few terms. Terms of the size of rounding errors would grow with each
     // derivative.
@@ -105,12 +106,12 @@ std::optional<RotaryPath> fit_rotary_path(const std::function<TipAndAxis(double)
         values[k] = {tip.x, tip.y, tip.z, axis.x, axis.y, axis.z};
     }
     RotaryPath path{powers_of(terms_through(values))};
-    constexpr double kMiss = 1e-9, kReach = 100.0;  // mm
     for (std::size_t k = 0; k < 2 * kTerms; ++k) {
         const double t = time_of(2.0 * (static_cast<double>(k) + 0.3) / (2.0 * kTerms) - 1.0);
         const TipAndAxis there = pose(t);
         const ToolFrame here = tool_frame(path, t);
-        if (norm(here.tip - there.tip) > kMiss || kReach * norm(here.axis - there.axis) > kMiss)
+        if (norm(here.tip - there.tip) > kRounding ||
+            kPartMm * norm(here.axis - there.axis) > kRounding)
             return std::nullopt;
     }
     return path;
@@ -120,27 +121,27 @@ ToolFrame tool_frame(const RotaryPath& path, double t) {
     // Horner's rule for the polynomials, their first derivatives and half of their second
     // derivatives; two coordinates at a time.
     using Pair = double __attribute__((vector_size(2 * sizeof(double))));
-    constexpr std::size_t kPairs = kCoordinates / 2;
     const double s = place_of(t);
     const Pair times{s, s};
-    Pair value[kPairs]{}, slope[kPairs]{}, bend[kPairs]{};
+    using Pairs = Pair[kCoordinates / 2];
+    Pairs value{}, slope{}, bend{};
     for (std::size_t i = path.powers.size(); i-- > 0;) {
         const double* power = path.powers[i].data();
-        for (std::size_t c = 0; c < kPairs; ++c) {
+        for (std::size_t c = 0; c < std::size(value); ++c) {
             bend[c] = bend[c] * times + slope[c];
             slope[c] = slope[c] * times + value[c];
             value[c] = value[c] * times + Pair{power[2 * c], power[2 * c + 1]};
         }
     }
-    const auto tip = [](const Pair(&of)[kPairs], double by) {
+    const auto tip = [](const Pairs& of, double by) {
         return by * Vec3{of[0][0], of[0][1], of[1][0]};
     };
-    const auto axis = [](const Pair(&of)[kPairs], double by) {
+    const auto axis = [](const Pairs& of, double by) {
         return by * Vec3{of[1][1], of[2][0], of[2][1]};
     };
-    constexpr double kRate = 2.0 / kWidth;
-    return {tip(value, 1.0),  tip(slope, kRate),  tip(bend, 2.0 * kRate * kRate),
-            axis(value, 1.0), axis(slope, kRate), axis(bend, 2.0 * kRate * kRate)};
+    const double rate = 2.0 / kWidth;
+    return {tip(value, 1.0),  tip(slope, rate),  tip(bend, 2.0 * rate * rate),
+            axis(value, 1.0), axis(slope, rate), axis(bend, 2.0 * rate * rate)};
 }
 
 }  // namespace ncsim::brep

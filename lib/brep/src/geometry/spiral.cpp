@@ -4,6 +4,8 @@
 #include "ncsim/base/angles.h"
 #include "ncsim/brep/surface_forms.h"
 
+#include "geometry/tolerances.h"
+
 #include <cmath>
 
 namespace ncsim::brep {
@@ -44,16 +46,14 @@ SpiralPlace project_onto(const Spiral& spiral, Vec3 p) {
     SpiralPlace place = place_at(spiral, angle_of(x, y) * kRadiansPerDegree);
     // Newton's method for the angle at which `p` lies across the path. The derivative is the speed
     // of the offset path through `p`.
-    constexpr int kMostSteps = 40;
-    constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-14, kLeastPace = 1e-9;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < 40; ++step) {
         const Vec3 deviation = level - place.path_point;
         const double pace = pace_at(spiral, place.turn, dot(deviation, place.out));
-        if (!(pace > kLeastPace)) break;
+        if (!(pace > kRounding)) break;
         double turn = dot(deviation, place.along) / pace;
-        if (std::abs(turn) > kFarthestTurn) turn = turn < 0.0 ? -kFarthestTurn : kFarthestTurn;
+        if (std::abs(turn) > 0.3) turn = turn < 0.0 ? -0.3 : 0.3;
         place = place_at(spiral, place.turn + turn);
-        if (std::abs(turn) < kNoTurn) break;
+        if (std::abs(turn) < 0.01 * kUnitRounding) break;
     }
     place.height = height;
     return place;

@@ -10,13 +10,11 @@ namespace ncsim::brep {
 
 namespace {
 
-constexpr std::size_t kMostDegree = 5;
-
 // The basis functions that are not zero at a parameter, with derivatives; the first belongs to
 // control point `first`.
 struct Basis {
     std::size_t first = 0;
-    std::array<double, kMostDegree + 1> value{}, derivative{};
+    std::array<double, 6> value{}, derivative{};  // The degree is at most 5.
 };
 
 // Knot `i` of the vector with multiplicities: degree + 1 at the ends, half of this inside.
@@ -33,7 +31,7 @@ Basis basis_at(const std::vector<double>& knots, std::size_t degree, double t) {
     const std::size_t span = degree + piece * ((degree + 1) / 2);
     Basis basis;
     basis.first = span - degree;
-    std::array<double, kMostDegree + 1>& n = basis.value;
+    std::array<double, 6>& n = basis.value;
     n[0] = 1.0;
     for (std::size_t j = 1; j <= degree; ++j) {
         if (j == degree) {

@@ -6,6 +6,7 @@
 #include "ncsim/base/angles.h"
 
 #include "geometry/ellipse.h"
+#include "geometry/tolerances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -195,15 +196,12 @@ bool is_parallel(Vec3 a, Vec3 b, double tolerance) {
     return norm(cross(a, b)) <= tolerance;
 }
 
-// Length over which angles count, mm: the size of a part.
-constexpr double kReach = 100.0;
-
 struct Same {
     double tolerance;
     bool is_near(double a, double b) const { return std::abs(a - b) <= tolerance; }
     bool is_near(Vec3 a, Vec3 b) const { return norm(a - b) <= tolerance; }
     bool differ_in_direction(Vec3 a, Vec3 b) const {
-        return !is_parallel(a, b, tolerance / kReach);
+        return !is_parallel(a, b, tolerance / kPartMm);
     }
     bool operator()(const Plane& a, const Plane& b) const {
         return !differ_in_direction(a.normal, b.normal) && dot(a.normal, b.normal) > 0.0 &&
@@ -216,7 +214,7 @@ struct Same {
     }
     bool operator()(const Cone& a, const Cone& b) const {
         return is_near(a.apex, b.apex) && !differ_in_direction(a.axis, b.axis) &&
-               dot(a.axis, b.axis) > 0.0 && std::abs(a.slope - b.slope) <= tolerance / kReach;
+               dot(a.axis, b.axis) > 0.0 && std::abs(a.slope - b.slope) <= tolerance / kPartMm;
     }
     bool operator()(const Sphere& a, const Sphere& b) const {
         return is_near(a.centre, b.centre) && is_near(a.radius, b.radius);
@@ -242,14 +240,14 @@ struct Same {
         return is_near(a.radius, b.radius) && is_near(a.reach, b.reach) &&
                !differ_in_direction(a.axis, b.axis) && dot(a.axis, b.axis) > 0.0 &&
                polar(a.centre, a.axis, b.centre).radius <= tolerance &&
-               std::abs(a.lead - b.lead) <= tolerance / kReach &&
+               std::abs(a.lead - b.lead) <= tolerance / kPartMm &&
                is_near(place_at_height(a, start).centre, start);
     }
     bool operator()(const Spiral& a, const Spiral& b) const {
         return is_near(a.reach, b.reach) && is_near(a.offset, b.offset) &&
                !differ_in_direction(a.axis, b.axis) && !differ_in_direction(a.ahead, b.ahead) &&
                dot(a.axis, b.axis) > 0.0 && dot(a.ahead, b.ahead) > 0.0 &&
-               std::abs(a.lead - b.lead) <= tolerance / kReach &&
+               std::abs(a.lead - b.lead) <= tolerance / kPartMm &&
                polar(a.centre, a.axis, b.centre).radius <= tolerance;
     }
     bool operator()(const Envelope& a, const Envelope& b) const {
@@ -328,31 +326,31 @@ DomePlace project_onto(const Dome& dome, Vec3 p) {
     if (place.out == Vec3{}) place.out = dome.ahead;
     // Newton's method for both angles at once minimises the distance. Where the second derivatives
     // are not positive definite, the step is the one for `p` on the surface.
-    constexpr int kDomeSteps = 40;
-    constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-15, kLastTurn = 1e-8, kLeastApart = 1e-7;
-    for (int step = 0; step < kDomeSteps; ++step) {
+    for (int step = 0; step < 40; ++step) {
         const Vec3 deviation = v - dome.reach * place.up - dome.radius * place.out;
         const Vec3 tangent = cross(dome.axis, place.out);
         const double k = dot(tangent, place.along);
         const double a = dot(tangent, deviation), b = dot(place.along, deviation);
         double aa = 1.0 + dot(deviation, place.out) / dome.radius;
         double bb = 1.0 + dot(deviation, place.up) / dome.reach;
-        const bool is_least = aa > 0.0 && aa * bb - k * k > kLeastApart;
+        const bool is_least = aa > 0.0 && aa * bb - k * k > 100.0 * kRounding;
         if (!is_least) aa = bb = 1.0;
         const double det = aa * bb - k * k;
         double first = a, second = 0.0;
-        if (det > kLeastApart) {
+        if (det > 100.0 * kRounding) {
             first = (a * bb - k * b) / det;
             second = (b * aa - k * a) / det;
         }
-        first = std::clamp(first / dome.radius, -kFarthestTurn, kFarthestTurn);
-        second = std::clamp(second / dome.reach, -kFarthestTurn, kFarthestTurn);
+        first = std::clamp(first / dome.radius, -0.3, 0.3);
+        second = std::clamp(second / dome.reach, -0.3, 0.3);
         place.out = normalized(place.out + first * tangent);
         const double c = place.cosine - second * place.sine, s = place.sine + second * place.cosine;
         const double length = std::sqrt(c * c + s * s);
         turn(place, c / length, s / length);
         // After a step of Newton's method, the error is of the order of the step's square.
-        if (std::abs(first) + std::abs(second) < (is_least ? kLastTurn : kNoTurn)) break;
+        if (std::abs(first) + std::abs(second) <
+            (is_least ? 10.0 * kRounding : 0.001 * kUnitRounding))
+            break;
     }
     return place;
 }
@@ -372,14 +370,12 @@ double place_along(const Extrusion& extrusion, Vec3 p) {
 }
 
 bool is_spindle(const Torus& torus) {
-    constexpr double kThicker = 1e-6;
-    return torus.major <= torus.minor * (1.0 + kThicker);
+    return torus.major <= torus.minor * (1.0 + kPointError);
 }
 
 double tip_degrees(const Torus& spindle) {
-    constexpr double kHalf = 180.0;
     const double major = spindle.major, minor = spindle.minor;
-    if (major >= minor) return -kHalf;
+    if (major >= minor) return -kHalfTurnDegrees;
     return angle_of(-major, -std::sqrt(minor * minor - major * major));
 }
 
@@ -388,9 +384,8 @@ double half_angle_rad(const Cone& cone) {
 }
 
 Vec3 any_perpendicular(Vec3 axis) {
-    constexpr double kSteep = 0.9;
     const Vec3 x{1, 0, 0}, y{0, 1, 0};
-    const Vec3 start = std::abs(axis.x) < kSteep ? x : y;
+    const Vec3 start = std::abs(axis.x) < 0.9 ? x : y;
     return normalized(start - dot(start, axis) * axis);
 }
 

@@ -8,6 +8,8 @@
 #include "ncsim/brep/envelope.h"
 #include "ncsim/brep/surface_forms.h"
 
+#include "geometry/tolerances.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,11 +44,10 @@ public:
 
     // Returns the area and three times the volume, per radian of the circle's angle.
     AreaAndVolume area_and_volume(const DomePlace& place) const {
-        constexpr double kPiece = 45.0;
         const Vec3 tangent = cross(dome_.axis, place.out);
         const double degrees = place.degrees(), per_degree = kRadiansPerDegree * per_radian();
         AreaAndVolume sum;
-        in_pieces(degrees, kPiece, [&](double weight, const SinCos& t) {
+        in_pieces(degrees, 0.5 * kQuarterTurnDegrees, [&](double weight, const SinCos& t) {
             const double lean = t.sin * dot(tangent, dome_.ahead);
             sum.area += (weight * per_degree) * std::sqrt(std::max(0.0, 1.0 - lean * lean));
         });
@@ -62,11 +63,10 @@ public:
 
     // Returns the integral of w (w n), w from the apex: four times volume times centroid.
     Vec3 moment(const DomePlace& place) const {
-        constexpr double kPiece = 45.0;
         const Vec3 tangent = cross(dome_.axis, place.out);
         const double per_degree = kRadiansPerDegree * per_radian();
         Vec3 sum;
-        in_pieces(place.degrees(), kPiece, [&](double weight, const SinCos& t) {
+        in_pieces(place.degrees(), 0.5 * kQuarterTurnDegrees, [&](double weight, const SinCos& t) {
             const Vec3 up = t.cos * dome_.ahead + t.sin * dome_.axis;
             const Vec3 along = t.cos * dome_.axis - t.sin * dome_.ahead;
             const Vec3 at = w_ + dome_.reach * up + dome_.radius * place.out;
@@ -80,9 +80,8 @@ public:
     double turn(const DomePlace& place, Vec3 step) const {
         const Vec3 tangent = cross(dome_.axis, place.out);
         const Vec3 across_arc = cross(place.along, cross(tangent, place.along));
-        constexpr double kNowhere = 1e-12;
         const double slope = dot(tangent, across_arc);
-        return slope > kNowhere ? dot(step, across_arc) / (dome_.radius * slope) : 0.0;
+        return slope > kUnitRounding ? dot(step, across_arc) / (dome_.radius * slope) : 0.0;
     }
 
 private:
@@ -139,9 +138,8 @@ public:
     }
 
     Vec3 moment(const CoilPlace& place) const {
-        constexpr double kPiece = 90.0;
         const double degrees = place.turn / kRadiansPerDegree;
-        const int pieces = static_cast<int>(std::abs(degrees) / kPiece) + 1;
+        const int pieces = static_cast<int>(std::abs(degrees) / kQuarterTurnDegrees) + 1;
         const double width = degrees / pieces;
         const double out = dot(place.out, place.motion), lateral = across(place);
         Vec3 sum;
@@ -233,13 +231,12 @@ public:
             const FlankIntegrand on{sweep_, tool};
             return in_pieces(on, to < 0.0 ? -flank->length : flank->length, to);
         }
-        constexpr double kBelow = 180.0;
         if (sweep_.is_rim()) {
             const RimIntegrand on{sweep_, tool};
-            return in_pieces(on, kBelow, place_across(sweep_, tool, place.foot));
+            return in_pieces(on, kHalfTurnDegrees, place_across(sweep_, tool, place.foot));
         }
         const FilletIntegrand on{sweep_, *sweep_.fillet(), tool, brep::path_frame(sweep_, tool)};
-        return in_pieces(on, kBelow, on.angle_of(place.normal));
+        return in_pieces(on, kHalfTurnDegrees, on.angle_of(place.normal));
     }
 
     // Returns the time of a step on the surface, with opposite sign.
@@ -337,12 +334,11 @@ private:
     // rule with more points is accurate to about ε².
     template <typename On>
     Sum in_pieces(const On& on, double from, double to, int depth = 16) const {
-        constexpr double kNearly = 1e-6, kRoughly = 3e-3;
         const Sum few = is_rough_ ? piece(on, from, to, kTwoAbscissae, kTwoWeights)
                                   : piece(on, from, to, kFewAbscissae, kFewWeights);
         const Sum sum = is_rough_ ? piece(on, from, to, kFewAbscissae, kFewWeights)
                                   : piece(on, from, to, kAbscissae, kWeights);
-        const double near_enough = is_rough_ ? kRoughly : kNearly;
+        const double near_enough = is_rough_ ? 3e-3 : 1e-6;
         if (depth == 0 || std::abs(sum.area - few.area) <= near_enough * std::abs(sum.area))
             return sum;
         const double middle = 0.5 * (from + to);

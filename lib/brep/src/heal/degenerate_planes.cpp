@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "heal/degenerate_planes.h"
 
+#include "geometry/tolerances.h"
 #include "heal/non_simple_faces.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace {
 
 // Planes whose edges are all so short that readers lose them, and then hang together with nothing.
 std::vector<std::uint32_t> planes_of_no_size(const Part& part) {
-    constexpr double kNoSize = 3e-5;  // mm
     std::vector<std::uint32_t> found;
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         const Face& face = part.faces[f];
@@ -21,7 +21,7 @@ std::vector<std::uint32_t> planes_of_no_size(const Part& part) {
             return std::ranges::all_of(loop, [&](const EdgeUse& use) {
                 const Edge& edge = part.edges[use.edge];
                 return std::holds_alternative<Line>(edge.curve) &&
-                       norm(part.vertices[edge.to] - part.vertices[edge.from]) < kNoSize;
+                       norm(part.vertices[edge.to] - part.vertices[edge.from]) < 30.0 * kPointError;
             });
         });
         if (are_short && std::holds_alternative<Plane>(face.surface.form)) found.push_back(f);
@@ -71,12 +71,10 @@ std::vector<std::uint32_t> planes_of_no_width(const Part& part) {
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         const auto* plane = std::get_if<Plane>(&part.faces[f].surface.form);
         if (!plane) continue;
-        // Of a hole readers may not even tell that it is one.
-        constexpr double kOutline = 1.0, kHole = 2.0;
+        // Readers may not find a hole of twice the width.
         const std::vector<Loop>& loops = part.faces[f].loops;
         const auto is_narrow = [&](const Loop& loop) {
-            return has_no_width(part, *plane, loop, width_of,
-                                &loop == &loops.front() ? kOutline : kHole);
+            return has_no_width(part, *plane, loop, width_of, &loop == &loops.front() ? 1.0 : 2.0);
         };
         if (std::ranges::any_of(loops, is_narrow)) found.push_back(f);
     }

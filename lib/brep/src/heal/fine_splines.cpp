@@ -2,6 +2,7 @@
 #include "heal/fine_splines.h"
 
 #include "geometry/newton.h"
+#include "geometry/no_index.h"
 #include "geometry/tolerances.h"
 #include "query/part_check.h"
 
@@ -18,8 +19,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-constexpr double kFine = 5e-8;  // mm
 
 // A point of a spline with the derivative by the parameter.
 struct SplineKnot {
@@ -79,9 +78,8 @@ public:
         const std::vector<SplineKnot> knots = knots_of(spline);
         std::vector<SplineKnot> finer{knots.front()}, piece;
         for (std::size_t i = 1; i < knots.size(); ++i) {
-            constexpr int kMostHalvings = 5;
             piece.clear();
-            if (!divide(knots[i - 1], knots[i], kMostHalvings, piece)) piece = {knots[i]};
+            if (!divide(knots[i - 1], knots[i], 5, piece)) piece = {knots[i]};
             finer.insert(finer.end(), piece.begin(), piece.end());
         }
         if (finer.size() == knots.size()) return std::nullopt;
@@ -97,7 +95,7 @@ private:
     bool divide(const SplineKnot& from, const SplineKnot& to, int halvings,
                 std::vector<SplineKnot>& knots) {
         const bool is_fine = std::ranges::all_of(std::array{0.2, 0.4, 0.6, 0.8}, [&](double s) {
-            return deviation(between(from, to, s).at) <= kFine;
+            return deviation(between(from, to, s).at) <= 0.5 * kReaderMm;
         });
         if (is_fine) {
             knots.push_back(to);
@@ -112,15 +110,13 @@ private:
     // Moves a knot onto both forms, across its direction. Where the forms touch along the curve,
     // the knot moves along their normal alone, and keeps its direction.
     std::optional<SplineKnot> on_both(SplineKnot knot) {
-        constexpr double kTouch = 1e-2;  // sine
-        constexpr double kFarthest = 1e-3;
         const Vec3 start = knot.at;
         const auto normals = [&] {
             return std::array{evaluate(*forms_[0], knot.at, seeds_[0]),
                               evaluate(*forms_[1], knot.at, seeds_[1])};
         };
         const auto sees = normals();
-        if (norm(cross(sees[0].gradient, sees[1].gradient)) > kTouch) {
+        if (norm(cross(sees[0].gradient, sees[1].gradient)) > 10.0 * kLeastSine) {
             const Form across = Plane{knot.at, normalized(knot.derivative)};
             const std::array<const Form*, 3> three{forms_[0], forms_[1], &across};
             solve(three, knot.at, seeds_);
@@ -135,7 +131,7 @@ private:
                 knot.at = knot.at - distance * gradient;
             }
         }
-        if (!(deviation(knot.at) <= kFine) || norm(knot.at - start) > kFarthest)
+        if (!(deviation(knot.at) <= 0.5 * kReaderMm) || norm(knot.at - start) > kLeastSizeMm)
             return std::nullopt;
         return knot;
     }
@@ -146,7 +142,6 @@ private:
 
 // The two faces of each edge; equal if one face uses it twice.
 std::vector<std::array<std::uint32_t, 2>> both_faces_of_edges(const Part& part) {
-    constexpr std::uint32_t kNone = ~std::uint32_t{0};
     std::vector<std::array<std::uint32_t, 2>> faces(part.edges.size(), {kNone, kNone});
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         for (const Loop& loop : part.faces[f].loops) {

@@ -3,6 +3,7 @@
 
 #include "ncsim/brep/measure.h"
 
+#include "geometry/tolerances.h"
 #include "heal/degenerate_planes.h"
 #include "heal/vertex_distance.h"
 #include "sources/label.h"

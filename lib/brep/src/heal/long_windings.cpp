@@ -22,8 +22,6 @@ namespace ncsim::brep {
 
 namespace {
 
-constexpr double kTurn = 360.0, kHalf = 180.0;  // degrees
-
 // The angle about the axis of a face, which goes on after a turn.
 class Winding {
 public:
@@ -38,7 +36,7 @@ public:
         if (coil_) return project_onto(*coil_, p).turn / kRadiansPerDegree;
         const Vec3 v = p - cylinder_->origin;
         const double at = angle_of(dot(v, x_), dot(v, cross(cylinder_->axis, x_)));
-        return at + kTurn * std::round((nearby - at) / kTurn);
+        return at + kTurnDegrees * std::round((nearby - at) / kTurnDegrees);
     }
 
     // Returns the curve of a coil at `degrees` from `a` to `b`.
@@ -97,8 +95,7 @@ double share_at(const Part& part, const Edge& edge, const Course::Step& step,
                 const Winding& winding, double degrees) {
     const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
     double from = step.from, to = step.to;
-    constexpr int kHalvings = 60;
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < kMostSteps; ++i) {
         const double middle = 0.5 * (from + to);
         const bool is_before =
             (winding.angle(track.at(middle), degrees) < degrees) == (step.begin < degrees);
@@ -162,23 +159,21 @@ struct Passage {
 // Divides the edges of a cylinder's face at all turns of `degrees`. False if an edge cannot be
 // divided.
 bool divide_edges(Part& part, std::uint32_t f, const Winding& winding, double degrees) {
-    constexpr int kMostRounds = 40;
-    constexpr double kAtEnd = 1e-9;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < 40; ++round) {
         EdgeSplitter splitter(part);
         bool any = false;
         const std::vector<Loop> loops = part.faces[f].loops;
         for (const Loop& loop : loops) {
             std::optional<std::size_t> last;
             for (const Course::Step& step : course_of(part, loop, winding).steps) {
-                const double first = std::floor((step.begin - degrees) / kTurn);
-                const double second = std::floor((step.end - degrees) / kTurn);
+                const double first = std::floor((step.begin - degrees) / kTurnDegrees);
+                const double second = std::floor((step.end - degrees) / kTurnDegrees);
                 if (first == second || last == step.use) continue;
                 const std::uint32_t e = loop[step.use].edge;
                 const Edge edge = part.edges[e];
-                const double at =
-                    share_at(part, edge, step, winding, degrees + kTurn * std::max(first, second));
-                if (at < kAtEnd || at > 1.0 - kAtEnd) continue;
+                const double at = share_at(part, edge, step, winding,
+                                           degrees + kTurnDegrees * std::max(first, second));
+                if (at < kRounding || at > 1.0 - kRounding) continue;
                 if (!splitter.divide(e, at)) return false;
                 last = step.use;
                 any = true;
@@ -201,9 +196,8 @@ std::vector<Passage> passages_of(const Part& part, std::uint32_t f, const Windin
         for (std::size_t k = 0; k < steps.size(); ++k) {
             const Course::Step &step = steps[k], &before = steps[k == 0 ? steps.size() - 1 : k - 1];
             if (step.use == before.use && loops[l].size() > 1) continue;
-            const double turns = (step.begin - degrees) / kTurn;
-            constexpr double kOn = 1e-6 / kTurn;
-            if (std::abs(turns - std::round(turns)) > kOn) continue;
+            const double turns = (step.begin - degrees) / kTurnDegrees;
+            if (std::abs(turns - std::round(turns)) > kPointError / kTurnDegrees) continue;
             const EdgeUse& use = loops[l][step.use];
             const Edge& edge = part.edges[use.edge];
             const std::uint32_t v = use.is_forward ? edge.from : edge.to;
@@ -285,17 +279,16 @@ bool is_sound(const Part& part, std::uint32_t face) {
 // True if a face of one loop goes no more than half a turn.
 bool is_half(const Part& part, std::uint32_t f, const Winding& winding) {
     const auto& loops = part.faces[f].loops;
-    constexpr double kRounding = 1e-6;
     if (loops.size() != 1) return false;
     const Course course = course_of(part, loops.front(), winding);
-    return course.high - course.low <= kHalf + kRounding;
+    return course.high - course.low <= kHalfTurnDegrees + kPointError;
 }
 
 // Cuts the face of a cylinder along two meridians, `aside` of a quarter of a turn. False if a part
 // of it has faults.
 bool split_wall(Part& part, std::uint32_t face, const Winding& winding, double aside) {
     std::vector<std::uint32_t> pieces{face};
-    for (const double degrees : {aside, aside + kHalf}) {
+    for (const double degrees : {aside, aside + kHalfTurnDegrees}) {
         for (const std::uint32_t f : std::vector(pieces)) {
             const auto first = static_cast<std::uint32_t>(part.faces.size());
             if (is_half(part, f, winding)) continue;
@@ -318,7 +311,7 @@ bool split_strip(Part& part, std::uint32_t face, const Winding& winding, double 
         const std::uint32_t f = open.back();
         open.pop_back();
         const Course course = course_of(part, part.faces[f].loops.front(), winding);
-        if (course.high - course.low <= kHalf) {
+        if (course.high - course.low <= kHalfTurnDegrees) {
             if (!is_sound(part, f)) return false;
             continue;
         }
@@ -341,9 +334,8 @@ bool is_long(const Part& part, const Face& face) {
             return std::holds_alternative<Spline>(part.edges[use.edge].curve);
         });
         if (!has_spline) return false;
-        constexpr double kMore = 1.0;
         const Course course = course_of(part, loop, winding);
-        return course.high - course.low > kTurn + kMore;
+        return course.high - course.low > kTurnDegrees + 1.0;
     });
 }
 

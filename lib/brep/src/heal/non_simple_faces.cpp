@@ -5,6 +5,7 @@
 #include "ncsim/brep/measure.h"
 
 #include "geometry/no_index.h"
+#include "geometry/tolerances.h"
 #include "query/part_check.h"
 #include "topology/angular_extent.h"
 
@@ -291,7 +292,6 @@ bool is_straight(const Part& part, const Face& face) {
 
 // Does its only loop turn to the left in each corner, once round, as far as readers can tell?
 bool is_convex(const Part& part, const Face& face) {
-    constexpr double kLeastTurn = 1e-6;  // rad
     if (face.loops.size() != 1 || face.loops.front().size() < 3) return false;
     const Vec3 normal = std::get<Plane>(face.surface.form).normal;
     const Loop& loop = face.loops.front();
@@ -303,7 +303,8 @@ bool is_convex(const Part& part, const Face& face) {
     double before = 0.0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const Vec3 in = point(i + 1) - point(i), out = point(i + 2) - point(i + 1);
-        if (dot(normal, cross(in, out)) <= kLeastTurn * norm(in) * norm(out)) return false;
+        if (dot(normal, cross(in, out)) <= 0.1 * kParallelAngle * norm(in) * norm(out))
+            return false;
         const double side = dot(normal, cross(first, out));
         if (before * side < 0.0) ++changes;
         if (side != 0.0) before = side;
@@ -343,13 +344,12 @@ std::uint32_t append_face(Part& part, std::uint32_t f, Face face) {
 }
 
 std::vector<std::uint32_t> crossed_planes(const Part& part) {
-    constexpr double kAnywhere = 1.0, kOfReaders = 2e-7;  // mm; where its edges are is known
     Numbers crossed;
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         const Face& face = part.faces[f];
         double miss = 0.0;
         if (is_plane(face) && is_straight(part, face) && !is_convex(part, face) &&
-            !faults_of(part, f, kAnywhere, miss, kOfReaders).empty())
+            !faults_of(part, f, 1.0, miss, 2.0 * kReaderMm).empty())
             crossed.push_back(f);
     }
     return crossed;

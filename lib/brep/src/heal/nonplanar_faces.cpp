@@ -7,6 +7,7 @@
 #include "ncsim/cda/triangulate.h"
 
 #include "geometry/no_index.h"
+#include "geometry/tolerances.h"
 #include "heal/non_simple_faces.h"
 #include "sources/label.h"
 

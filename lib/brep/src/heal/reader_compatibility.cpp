@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "heal/reader_compatibility.h"
 
+#include "geometry/tolerances.h"
 #include "topology/edge_splitter.h"
 
 #include <algorithm>
@@ -25,9 +26,7 @@ bool is_too_wide(const Extrusion& extrusion, const Part& part, const Edge& edge)
         const Vec3 p = part.vertices[v];
         return normalized(p - place_along(extrusion, p) * extrusion.along - extrusion.centre);
     };
-    constexpr double kOpposite = -0.9, kShallow = 0.1, kBeside = 0.8;
-    const double widest =
-        std::abs(dot(extrusion.along, extrusion.axis)) < kShallow ? kBeside : kOpposite;
+    const double widest = std::abs(dot(extrusion.along, extrusion.axis)) < 0.1 ? 0.8 : -0.9;
     return edge.from != edge.to && dot(out(edge.from), out(edge.to)) < widest;
 }
 
@@ -38,19 +37,17 @@ bool is_too_wide(const Envelope& envelope, const Part& part, const Edge& edge) {
         const ClosestPoint closest = project_onto(envelope, p);
         return normalized(velocity_at(closest.tool, height_of_centre(*envelope.sweep, closest)));
     };
-    constexpr double kWidest = 0.5;
     const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
     const Vec3 first = ahead(part.vertices[edge.from]);
-    return dot(first, ahead(track.at(0.5))) < kWidest ||
-           dot(first, ahead(part.vertices[edge.to])) < kWidest;
+    return dot(first, ahead(track.at(0.5))) < 0.5 ||
+           dot(first, ahead(part.vertices[edge.to])) < 0.5;
 }
 
 // Does it pass near a pole of the sphere, more than a quarter around it? Readers lay such edges
 // down some hundredths of a millimetre from where they are, but for circles about the axis itself.
 bool passes_by_pole(const Sphere& sphere, const Frame& frame, const Part& part, const Edge& edge) {
-    constexpr double kNear = 0.5, kQuarter = 0.0, kOne = 1e-9;
     const auto* circle = std::get_if<Circle>(&edge.curve);
-    if (circle && norm(cross(circle->axis, frame.axis)) < kOne) return false;
+    if (circle && norm(cross(circle->axis, frame.axis)) < kRounding) return false;
     const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
     double nearest = 1.0, least = 1.0;  // of the radius; cosine of the angle around
     std::optional<Vec3> first;
@@ -65,7 +62,7 @@ bool passes_by_pole(const Sphere& sphere, const Frame& frame, const Part& part, 
         if (!first) first = direction;
         least = std::min(least, dot(*first, direction));
     }
-    return nearest < kNear && least < kQuarter;
+    return nearest < 0.5 && least < 0.0;
 }
 
 // True: it has halved one.
@@ -122,14 +119,13 @@ std::map<std::uint32_t, std::vector<End>> ends_at_corners(const Part& part, cons
 
 // The ellipses of a plane that touch a straight edge of another loop of it in a corner of both.
 void find_touching_ellipses(const Part& part, const Face& face, std::set<std::uint32_t>& found) {
-    constexpr double kAlong = 1e-6;  // sine
     for (const auto& [v, ends] : ends_at_corners(part, face)) {
         for (const End& round : ends) {
             if (!std::holds_alternative<Ellipse>(part.edges[round.edge].curve)) continue;
             const bool touches = std::ranges::any_of(ends, [&](const End& straight) {
                 return straight.loop != round.loop &&
                        std::holds_alternative<Line>(part.edges[straight.edge].curve) &&
-                       norm(cross(straight.tangent, round.tangent)) < kAlong;
+                       norm(cross(straight.tangent, round.tangent)) < 0.1 * kParallelAngle;
             });
             if (touches) found.insert(round.edge);
         }
@@ -139,7 +135,6 @@ void find_touching_ellipses(const Part& part, const Face& face, std::set<std::ui
 }  // namespace
 
 void shrink_touching_ellipses(Part& part) {
-    constexpr double kGap = 1e-9;  // mm
     std::set<std::uint32_t> touching;
     for (const Face& face : part.faces) {
         if (std::holds_alternative<Plane>(face.surface.form) && face.loops.size() > 1)
@@ -147,8 +142,8 @@ void shrink_touching_ellipses(Part& part) {
     }
     for (const std::uint32_t e : touching) {
         auto& ellipse = std::get<Ellipse>(part.edges[e].curve);
-        ellipse.major_radius -= kGap;
-        ellipse.minor_radius -= kGap;
+        ellipse.major_radius -= kRounding;
+        ellipse.minor_radius -= kRounding;
     }
 }
 

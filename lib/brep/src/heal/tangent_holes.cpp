@@ -5,6 +5,7 @@
 #include "ncsim/base/vec2.h"
 #include "ncsim/brep/frames.h"
 
+#include "geometry/tolerances.h"
 #include "heal/non_simple_faces.h"
 #include "topology/angular_extent.h"
 #include "topology/edge_splitter.h"
@@ -61,12 +62,11 @@ std::array<EdgeUse, 2> edges_at(const Loop& loop, std::size_t i) {
 // Do both loops, where these uses of them begin, have arcs along each other that bend to one side?
 bool narrows_to_cusp(const Part& part, const Loop& one, std::size_t i, const Loop& other,
                      std::size_t j) {
-    constexpr double kAlong = 1e-3;  // rad
     for (const EdgeUse& first : edges_at(one, i)) {
         const StartTangent a = start_tangent(part, first);
         for (const EdgeUse& second : edges_at(other, j)) {
             const StartTangent b = start_tangent(part, second);
-            if (a.is_round && b.is_round && norm(a.direction - b.direction) < kAlong &&
+            if (a.is_round && b.is_round && norm(a.direction - b.direction) < kLeastSine &&
                 dot(a.bend, b.bend) > 0.0)
                 return true;
         }
@@ -113,20 +113,19 @@ public:
 
     // Does the straight line lie in the plane, with nothing near it but its ends?
     bool is_clear(Vec3 from, Vec3 to) const {
-        constexpr double kNear = 1e-2;  // mm
-        constexpr int kSamples = 16;
+        const double near = 10.0 * kLeastSizeMm;
         const Vec2 a = project(from), b = project(to);
         const double length = norm(to - from);
-        for (int i = 1; i < kSamples; ++i) {
-            const double t = static_cast<double>(i) / kSamples;
+        for (int i = 1; i < kSamples / 2; ++i) {
+            const double t = static_cast<double>(i) / (kSamples / 2);
             if (!has_inside({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)})) return false;
         }
         for (const auto& loop : loops_) {
             for (std::size_t i = 0; i < loop.size(); ++i) {
                 const Vec2 p = seen(a, b, length, loop[i]);
                 const Vec2 q = seen(a, b, length, loop[(i + 1) % loop.size()]);
-                if (!is_end(p, length) && p.x > -kNear && p.x < length + kNear &&
-                    std::abs(p.y) < kNear)
+                if (!is_end(p, length) && p.x > -near && p.x < length + near &&
+                    std::abs(p.y) < near)
                     return false;
                 if ((p.y > 0.0) == (q.y > 0.0) || is_end(p, length) || is_end(q, length)) continue;
                 const double x = p.x + (q.x - p.x) * p.y / (p.y - q.y);
@@ -149,8 +148,8 @@ private:
     }
 
     static bool is_end(Vec2 p, double length) {
-        constexpr double kOne = 1e-6;
-        return std::abs(p.y) < kOne && (std::abs(p.x) < kOne || std::abs(p.x - length) < kOne);
+        return std::abs(p.y) < kPointError &&
+               (std::abs(p.x) < kPointError || std::abs(p.x - length) < kPointError);
     }
 
     bool has_inside(Vec2 at) const {
@@ -279,14 +278,13 @@ struct ArcEnd {
 ArcEnd arc_end_of(const Part& part, const EdgeUse& use) {
     const Edge& edge = part.edges[use.edge];
     const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
-    constexpr double kStep = 1e-2;
     const auto direction = [&](double t) {
         const Vec3 along = normalized(track.derivative(use.is_forward ? t : 1.0 - t));
         return use.is_forward ? along : -along;
     };
     const Vec3 first = direction(0.0);
     const double speed = norm(track.derivative(use.is_forward ? 0.0 : 1.0));
-    const Vec3 turn = (1.0 / kStep) * (direction(kStep) - first);
+    const Vec3 turn = 100.0 * (direction(0.01) - first);
     return {use, first, (1.0 / speed) * turn, norm(turn)};
 }
 
@@ -296,9 +294,6 @@ std::vector<Cusp> cusps_of(const Part& part, const Face& face) {
     // degrees, where the angle limits chords. So the flatter one begins with an arc of 4 degrees,
     // and that with one of 1; readers who turn by less at a time divide these, too. Arcs that are
     // hardly longer are not divided.
-    constexpr double kFirst = 4.0 * kRadiansPerDegree, kNearest = 1.0 * kRadiansPerDegree;
-    constexpr double kLonger = 2.0;
-    constexpr double kAlong = 1e-3;  // rad
     std::vector<std::pair<std::uint32_t, EdgeUse>> leaving;
     for (const Loop& loop : face.loops) {
         for (const EdgeUse& use : loop) {
@@ -315,12 +310,13 @@ std::vector<Cusp> cusps_of(const Part& part, const Face& face) {
             if (leaving[i].second.edge == leaving[j].second.edge) continue;
             ArcEnd flat = arc_end_of(part, leaving[i].second);
             ArcEnd sharp = arc_end_of(part, leaving[j].second);
-            if (norm(flat.direction - sharp.direction) > kAlong ||
+            if (norm(flat.direction - sharp.direction) > kLeastSine ||
                 dot(flat.curvature, sharp.curvature) <= 0.0)
                 continue;
             if (norm(flat.curvature) > norm(sharp.curvature)) std::swap(flat, sharp);
-            if (flat.turn < kLonger * kNearest) continue;
-            const double share = (flat.turn < kLonger * kFirst ? kNearest : kFirst) / flat.turn;
+            if (flat.turn < 2.0 * kRadiansPerDegree) continue;
+            const double first = flat.turn < 8.0 * kRadiansPerDegree ? 1.0 : 4.0;  // degrees
+            const double share = first * kRadiansPerDegree / flat.turn;
             cusps.push_back({flat.use.edge, flat.use.is_forward ? share : 1.0 - share});
         }
     }
@@ -358,10 +354,9 @@ std::optional<ConeCut> cone_cut_of(const Part& part, const Face& face) {
             const auto halves = split_edge(part, part.edges[loop[i].edge]);
             if (!halves) continue;
             const Vec3 out = halves->middle - cone.apex;
-            constexpr double kTurn = 360.0, kNearCorner = 0.02;
-            double share = angle_of(dot(out, start), dot(out, side)) / kTurn;
+            double share = angle_of(dot(out, start), dot(out, side)) / kTurnDegrees;
             if (share < 0.0) share += 1.0;
-            if (share < kNearCorner || share > 1.0 - kNearCorner) continue;
+            if (share < 0.02 || share > 0.98) continue;
             const Vec3 at = track.at(share);
             const double length = norm(at - halves->middle);
             // Seen along the axis, as the drawing is.
@@ -433,9 +428,8 @@ void split_cones_at_base_circle(Part& part) {
 
 void split_arcs_at_cusps(Part& part) {
     // Twice at each end of an arc, and an edge is divided once at a time.
-    constexpr int kMostTimes = 4;
     bool any = true;
-    for (int i = 0; i < kMostTimes && any; ++i) {
+    for (int i = 0; i < 4 && any; ++i) {
         any = false;
         EdgeSplitter halving(part);
         for (const Face& face : part.faces) {

@@ -4,6 +4,7 @@
 #include "ncsim/brep/frames.h"
 
 #include "geometry/no_index.h"
+#include "geometry/tolerances.h"
 #include "heal/degenerate_planes.h"
 #include "heal/non_simple_faces.h"
 #include "heal/short_edges.h"
@@ -23,7 +24,8 @@ namespace ncsim::brep {
 
 namespace {
 
-constexpr double kShort = 3e-7, kLeast = 1e-5;  // mm
+// Least distance of vertices that readers keep apart on all faces around them, mm.
+constexpr double kLeast = 10.0 * kPointError;
 
 using Numbers = std::vector<std::uint32_t>;
 
@@ -347,12 +349,11 @@ bool contract_short_edges(Part& part) {
 void lengthen_short_edges(Part& part) {
     const Contraction contraction(part);
     // One may bring another one's ends nearer.
-    constexpr int kPasses = 3;
-    for (int pass = 0; pass < kPasses; ++pass) {
+    for (int pass = 0; pass < 3; ++pass) {
         for (const Edge& edge : part.edges) {
             Vec3 &a = part.vertices[edge.from], &b = part.vertices[edge.to];
             const double length = length_of(part, edge);
-            if (length >= kShort || length == 0.0 || !contraction.is_flat(edge)) continue;
+            if (length >= 3.0 * kReaderMm || length == 0.0 || !contraction.is_flat(edge)) continue;
             const Vec3 move = (0.5 * (kLeast - length) / length) * (b - a);
             a = a - move;
             b = b + move;
@@ -457,8 +458,7 @@ std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part) {
     Numbers original(part.faces.size()), faces;
     std::iota(original.begin(), original.end(), 0U);
     // Each step may make room for another one.
-    constexpr int kMostRounds = 10;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int rounds_left = 10; rounds_left > 0; --rounds_left) {
         remove_spikes(part);
         drop_empty(part, original);
         Pinholes(part).close();
@@ -478,7 +478,7 @@ std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part) {
             drop_empty(part, original);
             crossed = degenerate_planes(part);
         }
-        if (round + 1 == kMostRounds) break;
+        if (rounds_left == 1) break;
         // Those that were made longer, too; and where that is not enough, farther apart.
         const bool has_collapsed = std::ranges::any_of(
             std::array{1.5 * kLeast, 3.0 * kLeast, kFlat},

@@ -18,9 +18,6 @@ namespace ncsim::brep {
 
 namespace {
 
-// Distance within which readers take a crossing for the corner, mm.
-constexpr double kInCorner = 1e-6;
-
 // Edge of a plane.
 struct PlaneEdge {
     const Edge* edge = nullptr;
@@ -62,7 +59,7 @@ std::vector<Vec3> crossings_of(const PlaneEdge& a, const PlaneEdge& b) {
     if (b.circle) {
         const Vec3 separation = radial_vector(circle.centre, circle.axis, b.circle->centre);
         const double d = norm(separation), r = circle.radius, s = b.circle->radius;
-        if (d < kInCorner) return {};
+        if (d < kPointError) return {};
         const double ahead = 0.5 * (d + (r - s) * (r + s) / d);
         const double square = (r - ahead) * (r + ahead);
         if (square < 0.0) return {};
@@ -94,10 +91,11 @@ bool cross_near_corner(const Part& part, const PlaneEdge& a, const PlaneEdge& b)
             nearest = deviation;
             corner = part.vertices[v];
         }
-        if (nearest <= kInCorner) continue;
+        if (nearest <= kPointError) continue;
         const Vec3 axis = a.circle ? a.circle->axis : b.circle->axis;
         const Vec3 middle = 0.5 * (corner + p), side = cross(axis, p - corner);
-        if (std::abs(depth_of(a, middle, side) - depth_of(b, middle, side)) > kTangentMm)
+        // OpenCASCADE looks for crossings to 1e-10 mm; what is nearer is tangent.
+        if (std::abs(depth_of(a, middle, side) - depth_of(b, middle, side)) > 0.1 * kRounding)
             return true;
     }
     return false;

@@ -36,9 +36,8 @@ FaceMap::FaceMap(const Part& part, const Face& face)
             for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
                 const Local p = local(track.at(t));
                 low_ = std::min(low_, p.z);
-                // The x axis points away from the face.
-                constexpr double kSteep = 0.2;
-                faces_one_way_ = faces_one_way_ && p.x < -kSteep * p.radius;
+                // The x axis points away from the face; a fifth of the radius is clear of rounding.
+                faces_one_way_ = faces_one_way_ && p.x < -0.2 * p.radius;
             }
         });
         low_ -= 2.0 * radius_of(*form_);
@@ -106,9 +105,8 @@ Vec2 FaceMap::operator()(Vec3 at) const {
 std::optional<FaceMap::Round> FaceMap::round_of(const WholeCircle& circle) const {
     const double deviation = std::abs(distance(*form_, circle.start));
     if (std::holds_alternative<Plane>(*form_)) {
-        constexpr double kParallel = 1e-9;  // sine
         const double slope = norm(cross(circle.axis, axes_.z));
-        if (slope > kParallel) return std::nullopt;
+        if (slope > kRounding) return std::nullopt;
         const Local centre = axes_(circle.centre);
         return Round{{centre.x, centre.y}, circle.radius, deviation + 2.0 * circle.radius * slope};
     }
@@ -119,9 +117,9 @@ std::optional<FaceMap::Round> FaceMap::round_of(const WholeCircle& circle) const
 }
 
 bool FaceMap::is_of_other_half(Vec2 at, double tolerance_mm) const {
-    constexpr double kQuarter = 90.0 * kRadiansPerDegree;
     const auto* coil = std::get_if<Coil>(form_);
-    return coil && std::abs(at.x) > kQuarter * coil->radius + tolerance_mm;
+    return coil &&
+           std::abs(at.x) > kQuarterTurnDegrees * kRadiansPerDegree * coil->radius + tolerance_mm;
 }
 
 bool FaceMap::keeps_lines() const {

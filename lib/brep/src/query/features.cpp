@@ -8,6 +8,7 @@
 #include "ncsim/brep/measure.h"
 
 #include "geometry/no_index.h"
+#include "geometry/tolerances.h"
 #include "topology/angular_extent.h"
 
 #include <algorithm>
@@ -23,9 +24,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-// Rounding error of directions, and of lengths in mm.
-constexpr double kAligned = 1e-9, kSame = 1e-6;
 
 struct Span {
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -117,7 +115,7 @@ private:
             } else if (const auto* plane = std::get_if<Plane>(&face.surface.form)) {
                 planes_.push_back(f);
                 take_chamfer(f, nullptr);
-                if (plane->normal.z > 1.0 - kAligned) take_floor(f, *plane);
+                if (plane->normal.z > 1.0 - kRounding) take_floor(f, *plane);
             }
         }
     }
@@ -134,7 +132,7 @@ private:
     void take_cylinder(std::uint32_t f, const Cylinder& form) {
         const Face& face = part_.faces[f];
         Vec3 up = form.axis;
-        if (up.z < -kAligned || (std::abs(up.z) <= kAligned && up.x + up.y < 0.0)) up = -up;
+        if (up.z < -kRounding || (std::abs(up.z) <= kRounding && up.x + up.y < 0.0)) up = -up;
         const auto loops = points_along(part_, face);
         Span along;
         for (const auto& points : loops) {
@@ -143,7 +141,7 @@ private:
         }
         const AngularExtent round = angular_extent(loops, form.origin, up, any_perpendicular(up));
         const double covers = round.is_full_turn ? 360.0 : 360.0 - round.gap;
-        if (covers <= 180.0 + kSame) {
+        if (covers <= 180.0 + kPointError) {
             features_.corners.push_back({form.radius, face.surface.is_hollow, covers,
                                          form.origin + 0.5 * (along.low + along.high) * up, up,
                                          face.origins});
@@ -171,8 +169,8 @@ private:
                 const Vec3 along = (use.is_forward ? 1.0 : -1.0) * track.derivative(0.5);
                 // The face is on the left of its edges.
                 const Vec3 inwards = cross(outward(face.surface, p), normalized(along));
-                constexpr double kAtAnEnd = 0.2;
-                if (dot(inwards, out) > -kAtAnEnd * slant) continue;
+                // Edges at the sides of the face run nearly along the axis.
+                if (dot(inwards, out) > -0.2 * slant) continue;
                 for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
                     rim.along.add(dot(track.at(t) - origin, out));
                 const std::uint32_t beyond = beside_[use.edge][use.is_forward ? 1 : 0];
@@ -189,7 +187,7 @@ private:
     bool opens(std::uint32_t beyond, Vec3 p, Vec3 out) const {
         const Surface& surface = part_.faces[beyond].surface;
         const double looks = dot(outward(surface, p), out);
-        if (std::abs(looks) > kSame) return looks > 0.0;
+        if (std::abs(looks) > kPointError) return looks > 0.0;
         // The face continues the cylinder smoothly; a hollow face narrows.
         return !surface.is_hollow;
     }
@@ -209,7 +207,7 @@ private:
         const double lowest = is_upside_down ? -along.high : along.low;
         bore.mouth = form.origin + highest * bore.axis;
         bore.depth = highest - lowest;
-        if (top.along.length() > kSame) bore.mouth_slants_by = top.along.length();
+        if (top.along.length() > kPointError) bore.mouth_slants_by = top.along.length();
         bore.end = end_of(bore, bottom);
         return bore;
     }
@@ -220,12 +218,12 @@ private:
         const Face& beyond = part_.faces[bottom.beyond];
         const Form& form = beyond.surface.form;
         if (const auto* plane = std::get_if<Plane>(&form)) {
-            if (dot(plane->normal, bore.axis) < 1.0 - kAligned) return BoreEnd::Other;
+            if (dot(plane->normal, bore.axis) < 1.0 - kRounding) return BoreEnd::Other;
             return beyond.loops.size() > 1 ? BoreEnd::Shoulder : BoreEnd::Flat;
         }
         const auto depth_of = [&](Vec3 p) { return dot(bore.mouth - p, bore.axis); };
         if (const auto* cone = std::get_if<Cone>(&form)) {
-            if (norm(cross(cone->axis, bore.axis)) > kSame) return BoreEnd::Other;
+            if (norm(cross(cone->axis, bore.axis)) > kPointError) return BoreEnd::Other;
             bore.tip_angle_degrees = 2.0 * half_angle_rad(*cone) * 180.0 / std::numbers::pi;
             if (!has_tip(part_, beyond)) return BoreEnd::Shoulder;
             bore.tip_depth = depth_of(cone->apex);
@@ -250,7 +248,7 @@ private:
         const AngularExtent round =
             angular_extent(loops, cone.apex, cone.axis, any_perpendicular(cone.axis));
         const double covers = round.is_full_turn ? 360.0 : 360.0 - round.gap;
-        if (covers <= 180.0 + kSame) return false;
+        if (covers <= 180.0 + kPointError) return false;
         const double slant = 1.0 / std::sqrt(1.0 + cone.slope * cone.slope);
         const Rim mouth = rim(f, cone.apex, cone.axis, slant);
         if (!mouth.is_opening || mouth.is_closing) return false;
@@ -294,11 +292,11 @@ private:
                 const Vec3 own = outward(face.surface, p);
                 const Vec3 other = outward(part_.faces[beyond].surface, p);
                 const double cosine = dot(own, other);
-                if (dot(cross(own, along), other) > -kSame || cosine < kSame) continue;
+                if (dot(cross(own, along), other) > -kPointError || cosine < kPointError) continue;
                 double length = 0.0;
-                constexpr int kChords = 16;
-                for (int i = 0; i < kChords; ++i)
-                    length += norm(track.at((i + 1.0) / kChords) - track.at(i * 1.0 / kChords));
+                for (int i = 0; i < kSamples / 2; ++i)
+                    length += norm(track.at((i + 1.0) / (kSamples / 2)) -
+                                   track.at(i * 1.0 / (kSamples / 2)));
                 edges.push_back({p, along, other, length});
             }
         }
@@ -312,9 +310,9 @@ private:
         const std::vector<ConvexEdge> edges = blunt_edges(face);
         std::optional<Chamfer> best;
         for (const ConvexEdge& level : edges) {
-            if (std::abs(level.normal.z) < 1.0 - kAligned) continue;
+            if (std::abs(level.normal.z) < 1.0 - kRounding) continue;
             for (const ConvexEdge& upright : edges) {
-                if (std::abs(upright.normal.z) > kSame) continue;
+                if (std::abs(upright.normal.z) > kPointError) continue;
                 const auto chamfer = chamfer_between(face, cone, level, upright);
                 if (chamfer && (!best || chamfer->length > best->length)) best = chamfer;
             }
@@ -330,15 +328,14 @@ private:
         Chamfer chamfer;
         chamfer.height = std::abs(level.at.z - upright.at.z);
         if (cone) {
-            if (std::abs(cone->axis.z) < 1.0 - kAligned) return std::nullopt;
+            if (std::abs(cone->axis.z) < 1.0 - kRounding) return std::nullopt;
             chamfer.width = chamfer.height * cone->slope;
         } else {
             // Edges at the ends of a chamfer are not parallel to the edges along it.
-            constexpr double kParallel = 1e-3;
-            if (norm(cross(level.along, upright.along)) > kParallel) return std::nullopt;
+            if (norm(cross(level.along, upright.along)) > kLeastSine) return std::nullopt;
             chamfer.width = std::abs(dot(level.at - upright.at, upright.normal));
         }
-        if (chamfer.width < kSame || chamfer.height < kSame) return std::nullopt;
+        if (chamfer.width < kPointError || chamfer.height < kPointError) return std::nullopt;
         const Vec3 own = outward(face.surface, level.at);
         chamfer.angle_degrees = angle_of(dot(own, level.normal), norm(cross(own, level.normal)));
         chamfer.length = std::max(level.length, upright.length);
@@ -374,7 +371,7 @@ private:
         const Vec3 along = (use.is_forward ? -1.0 : 1.0) * track.derivative(0.5);
         const Surface& surface = part_.faces[beyond].surface;
         const double rise = dot(cross(outward(surface, p), normalized(along)), up);
-        return std::abs(rise) > kSame ? rise > 0.0 : surface.is_hollow;
+        return std::abs(rise) > kPointError ? rise > 0.0 : surface.is_hollow;
     }
 
     // --- Distances --------------------------------------------------------------------------
@@ -398,14 +395,13 @@ private:
             const bool is_back = std::tuple(n.z, n.y, n.x) < std::tuple(-n.z, -n.y, -n.x);
             if (is_back) n = -n;
             auto found = std::ranges::find_if(
-                directions, [&](const Direction& d) { return norm(d.n - n) < kAligned; });
+                directions, [&](const Direction& d) { return norm(d.n - n) < kRounding; });
             if (found == directions.end()) {
                 const Vec3 u = any_perpendicular(n);
                 directions.push_back({n, u, cross(n, u), {}, {}});
                 found = directions.end() - 1;
                 // A part whose walls all have different directions cannot be measured.
-                constexpr std::size_t kMostDirections = 2000;
-                if (directions.size() > kMostDirections) return give_up();
+                if (directions.size() > 2000) return give_up();
             }
             Wall wall;
             wall.face = f;
@@ -422,8 +418,7 @@ private:
         std::size_t pairs = 0;
         for (const Direction& d : directions)
             pairs += d.ahead.size() * d.back.size();
-        constexpr std::size_t kMostPairs = 1'000'000;
-        if (pairs > kMostPairs) return give_up();
+        if (pairs > 1'000'000) return give_up();
         for (const Direction& d : directions) {
             for (const bool is_void : {true, false})
                 measure_between(d, is_void);
@@ -443,7 +438,7 @@ private:
             std::vector<std::pair<double, const Wall*>> order;
             for (const Wall& other : others) {
                 const double gap = (other.at - wall.at) * (is_ahead == is_void ? 1.0 : -1.0);
-                if (gap > kSame && wall.u.overlaps(other.u) && wall.v.overlaps(other.v))
+                if (gap > kPointError && wall.u.overlaps(other.u) && wall.v.overlaps(other.v))
                     order.emplace_back(gap, &other);
             }
             std::ranges::stable_sort(order, {}, [](const auto& o) { return o.first; });
@@ -471,9 +466,9 @@ private:
         for (auto& entry : found) {
             Distance& distance = entry.second;
             const auto same = std::ranges::find_if(listed, [&](const Distance* other) {
-                return !is_void && std::abs(other->mm - distance.mm) < kSame &&
+                return !is_void && std::abs(other->mm - distance.mm) < kPointError &&
                        std::abs(dot(other->from + other->to - distance.from - distance.to, d.n)) <
-                           kSame;
+                           kPointError;
             });
             if (same == listed.end()) {
                 listed.push_back(&distance);
@@ -522,10 +517,9 @@ private:
     bool is_clear(Vec3 from, Vec3 to) const {
         // The ends are moved off the walls, which the polyhedron has in the same place except for
         // rounding.
-        constexpr double kOff = 1e-3;
         const double length = norm(to - from);
-        if (length <= 4.0 * kOff) return true;
-        const Vec3 step = (kOff / length) * (to - from);
+        if (length <= 4.0 * kLeastSizeMm) return true;
+        const Vec3 step = (kLeastSizeMm / length) * (to - from);
         const Vec3 a = from + step, b = to - step;
         bool clear = true;
         between_.visit([&](const Box& box) { return clear && meets_segment(box, a, b); },

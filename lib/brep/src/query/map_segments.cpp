@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "query/map_segments.h"
 
+#include "geometry/tolerances.h"
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -95,16 +97,15 @@ struct RepeatedContact {
 };
 // Angle that readers notice. At smaller angles, curves are tangent in their corner except for
 // rounding.
-constexpr RepeatedContact kCrossing{1e-9, 0.06, 1e-3};
+constexpr RepeatedContact kCrossing{kRounding, 0.06, kLeastSizeMm};
 // Any angle, far from the corner. Facets may leave a corner that stands for two; curves that miss
 // only by rounding cross nearer to the corner.
-constexpr RepeatedContact kCrossingElsewhere{1e-9, 0.0, 0.1};
+constexpr RepeatedContact kCrossingElsewhere{kRounding, 0.0, 0.1};
 
 // True if the pieces, which start in a common point, meet again. Next to facets, curves miss their
 // ends by more than the criterion; the piece left after all halvings is such a miss.
 bool meet_past_common_end(const FaceMap& map, const MapSegment& s, const MapSegment& t,
                           const RepeatedContact& limits, int halvings = 40) {
-    constexpr int kDepth = 30;
     if (halvings == 0) return false;
     const double sx = s.b.x - s.a.x, sy = s.b.y - s.a.y, tx = t.b.x - t.a.x, ty = t.b.y - t.a.y;
     const double near = limits.least_distance * limits.least_distance;
@@ -113,7 +114,8 @@ bool meet_past_common_end(const FaceMap& map, const MapSegment& s, const MapSegm
     const auto [s_near, s_far] = halves_of(map, s);
     const auto [t_near, t_far] = halves_of(map, t);
     const auto meet = [&](const MapSegment& one, const MapSegment& other) {
-        return curves_interfere(map, one, other, limits.clearance, kDepth, limits.least_sine);
+        return curves_interfere(map, one, other, limits.clearance, kMostSteps / 2,
+                                limits.least_sine);
     };
     return meet(s_far, t_far) || meet(s_near, t_far) || meet(s_far, t_near) ||
            meet_past_common_end(map, s_near, t_near, limits, halvings - 1);
@@ -143,14 +145,13 @@ public:
     /// Requires: `segments` ascending by low(), with a longer lifetime than the strips.
     Strips(const std::vector<MapSegment>& segments, double clear)
         : segments_(segments), clear_(clear) {
-        constexpr std::size_t kOfAStrip = 256;  // segments
         double right = -std::numeric_limits<double>::infinity();
         left_ = -right;
         for (const MapSegment& s : segments) {
             left_ = std::min(left_, s.left());
             right = std::max(right, s.right());
         }
-        std::size_t count = segments.size() / kOfAStrip + 1;
+        std::size_t count = segments.size() / 256 + 1;  // 256 segments in each strip
         const double width = (right - left_) / static_cast<double>(count);
         // A single strip is used if positions are not finite.
         const bool has_width = std::isfinite(width) && width > 0.0 && std::isfinite(1.0 / width);
@@ -235,8 +236,6 @@ bool are_clear(const FaceMap::Round& a, const FaceMap::Round& b, double clear) {
 std::optional<std::array<std::uint32_t, 2>> any_interfere(const FaceMap& map,
                                                           std::vector<MapSegment> segments,
                                                           double clear) {
-    constexpr double kNearEnd = 0.05;
-    constexpr int kDepth = 40;
     std::sort(segments.begin(), segments.end(),
               [](const MapSegment& s, const MapSegment& t) { return s.low() < t.low(); });
     const auto do_interfere = [&](const MapSegment& s, const MapSegment& t) {
@@ -244,15 +243,15 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const FaceMap& map,
         if (both_straight) return interfere(s, t, clear);
         // Chords of curves that are tangent in a common end may lie on each other. On cones,
         // readers report a crossing.
-        const RepeatedContact near_end{clear, 0.0, kNearEnd};
+        const RepeatedContact near_end{clear, 0.0, 0.05};
         const auto is_near = [&] {
             return interfere(s, t, clear) &&
-                   (map.is_cone() || std::min(s.length(), t.length()) < kNearEnd ||
+                   (map.is_cone() || std::min(s.length(), t.length()) < near_end.least_distance ||
                     neighbours_meet_again(map, s, t, near_end));
         };
         return have_common_end(s, t) ? is_near() || neighbours_meet_again(map, s, t, kCrossing) ||
                                            neighbours_meet_again(map, s, t, kCrossingElsewhere)
-                                     : curves_interfere(map, s, t, clear, kDepth);
+                                     : curves_interfere(map, s, t, clear, 40);
     };
     Strips strips(segments, clear);
     std::vector<std::uint32_t> others;
@@ -271,10 +270,9 @@ std::vector<std::size_t> rounds_near_others(const std::vector<FaceMap::Round>& r
     if (rounds.empty()) return {};
     // A round is a point with a large deviation.
     std::vector<MapSegment> all = segments;
-    constexpr std::uint64_t kNoName = 0;
     for (std::uint32_t i = 0; i < rounds.size(); ++i) {
         const auto& [centre, radius, deviation] = rounds[i];
-        all.push_back({centre, centre, kNoName, kNoName, nullptr, 0.0, 0.0, false, i, radius});
+        all.push_back({centre, centre, 0, 0, nullptr, 0.0, 0.0, false, i, radius});
     }
     std::ranges::sort(all, {}, &MapSegment::low);
     std::vector<bool> is_near(rounds.size(), false);

@@ -26,10 +26,9 @@ struct MapSegment {
     bool is_straight;  ///< Also on the map.
     std::uint32_t edge;
 
-    // A piece of 4 degrees is off by a hundredth of its length; the map may bend pieces more.
-    static constexpr double kMostOff = 0.1;
-    /// Bound of the distance between chord and curve.
-    double deviation = is_straight ? 0.0 : kMostOff * length();
+    /// Bound of the distance between chord and curve. A piece of 4 degrees is off by a hundredth of
+    /// its length; the map may bend pieces more.
+    double deviation = is_straight ? 0.0 : 0.1 * length();
 
     double length() const {
         return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));

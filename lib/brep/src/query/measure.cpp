@@ -6,6 +6,7 @@
 #include "ncsim/base/angles.h"
 
 #include "geometry/swept_integrals.h"
+#include "geometry/tolerances.h"
 #include "topology/axes.h"
 
 #include <algorithm>
@@ -62,8 +63,9 @@ void integrate(const Track& track, const F& f, Exactness exactness = Exactness::
 // degrees integrate it to the last bit.
 template <typename F>
 void integrate_round(const Track& track, const F& f) {
-    constexpr double kPiece = 45.0 + 1e-9;
-    const auto pieces = static_cast<std::size_t>(track.sweep_degrees() / kPiece) + 1;
+    const auto pieces =
+        static_cast<std::size_t>(track.sweep_degrees() / (0.5 * kQuarterTurnDegrees + kRounding)) +
+        1;
     const double width = 1.0 / static_cast<double>(pieces);
     for (std::size_t i = 0; i < pieces; ++i)
         integrate_piece(track, static_cast<double>(i) * width, width, kAbscissae, kWeights, f);
@@ -81,10 +83,9 @@ void integrate_level(const Track& track, const F& f) {
 template <typename F>
 void integrate_around(const Track& track, const Axes& axes, const F& f) {
     const Circle* circle = track.circle();
-    constexpr double kNoLean = 1e-12, kOnAxis = 1e-9;  // mm
     const auto is_level = [&] {
-        return norm(cross(circle->axis, axes.z)) <= kNoLean &&
-               norm(cross(circle->centre - axes.origin, axes.z)) <= kOnAxis;
+        return norm(cross(circle->axis, axes.z)) <= kUnitRounding &&
+               norm(cross(circle->centre - axes.origin, axes.z)) <= kRounding;
     };
     if (circle && is_level()) return integrate_round(track, f);
     integrate(track, f);
@@ -178,14 +179,13 @@ double turn(const Local& p, Vec3 step) {
 template <typename B>
 Measure measure_revolved(const Part& part, const Face& face, const Axes& axes, const B& below) {
     Measure sum;
-    constexpr double kAtTip = 1e-12;
     double turns = 0.0;
     double nearest = std::numeric_limits<double>::infinity();
     const auto for_angles = [&](const auto& take) {
         for_edges(part, face, [&](const Track& track, double sign) {
             integrate_around(track, axes, [&](double weight, Vec3 at, Vec3 derivative) {
                 const Local p = axes(at);
-                const bool is_tip = p.radius <= kAtTip;
+                const bool is_tip = p.radius <= kUnitRounding;
                 take(p, is_tip ? 0.0 : sign * weight * turn(p, axes.oblique_components(derivative)),
                      weight * norm(derivative));
             });
@@ -204,11 +204,9 @@ Measure measure_revolved(const Part& part, const Face& face, const Axes& axes, c
     // round, each gap counts with the whole integral below the face; this share is subtracted, at
     // the level of the first edge's start. The correction does not apply to edges near the axis,
     // which may pass half a turn there, and to cones, which have no radius and begin at their apex.
-    constexpr double kClearOfAxis = 0.1, kMostGaps = 0.1;  // of the radius; rad
-    constexpr double kNoGap = 1e-14;                       // rad
     const double radius = radius_of(face.surface.form);
-    if (radius > 0.0 && nearest > kClearOfAxis * radius && std::abs(turns) < kMostGaps &&
-        std::abs(turns) > kNoGap) {
+    if (radius > 0.0 && nearest > 0.1 * radius && std::abs(turns) < 0.1 &&
+        std::abs(turns) > 0.01 * kUnitRounding) {
         const EdgeUse& first = face.loops.front().front();
         const Edge& edge = part.edges[first.edge];
         const Local start =
@@ -255,7 +253,7 @@ public:
                        const double left = exactness == Exactness::Full || is_at_fold(all)
                                                ? left_of(all, begin, width)
                                                : 0.0;
-                       take_all(all, left, begin, width, kMostHalves, take);
+                       take_all(all, left, begin, width, 12, take);
                    });
     }
 
@@ -283,10 +281,9 @@ private:
     // The closer the fold, the smaller the second derivative of the distance by time.
     template <std::size_t N>
     static bool is_at_fold(const std::array<Step, N>& all) {
-        constexpr double kEven = 0.25;
         const auto [least, most] =
             std::ranges::minmax(all, {}, [](const Step& step) { return step.place.bend; });
-        return least.place.bend < kEven * most.place.bend;
+        return least.place.bend < 0.25 * most.place.bend;
     }
 
     template <std::size_t N>
@@ -300,8 +297,7 @@ private:
     template <std::size_t N, typename Take>
     void take_all(const std::array<Step, N>& all, double left, double begin, double width,
                   int halves, const Take& take) {
-        constexpr double kNearly = 1e-7;
-        if (halves > 0 && !(std::abs(left) <= kNearly)) {
+        if (halves > 0 && !(std::abs(left) <= 100.0 * kRounding)) {
             const double half = 0.5 * width;
             for (const double start : {begin, begin + half}) {
                 const auto finer = steps(start, half, kAbscissae, kWeights);
@@ -315,7 +311,6 @@ private:
 
     double time_at(double t) { return project_onto(envelope_, track_.at(t), seed_).t; }
 
-    static constexpr int kMostHalves = 12;
     const Track& track_;
     const Envelope& envelope_;
     ProjectionSeed seed_;
@@ -426,11 +421,10 @@ Vec3 surface_moment(const Axes& axes, Vec3 apex, const Local& p, double from, do
 template <typename Inner>
 Vec3 edge_moment(const Part& part, const Face& face, const Axes& axes, const Inner& inner) {
     Vec3 sum;
-    constexpr double kAtTip = 1e-12;
     for_edges(part, face, [&](const Track& track, double sign) {
         integrate_around(track, axes, [&](double weight, Vec3 at, Vec3 derivative) {
             const Local p = axes(at);
-            if (p.radius <= kAtTip) return;
+            if (p.radius <= kUnitRounding) return;
             sum = sum - (sign * weight * turn(p, axes.oblique_components(derivative))) * inner(p);
         });
     });
@@ -440,7 +434,6 @@ Vec3 edge_moment(const Part& part, const Face& face, const Axes& axes, const Inn
 // Returns volume times centroid of the cone from `apex` over the face.
 // Requires: no envelope; for envelopes, see sums_of().
 Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
-    constexpr double kHalfTurn = 180.0;
     if (const auto* f = std::get_if<Plane>(&face.surface.form)) {
         Vec3 sum;  // Integral of w over the face.
         for_edges(part, face, [&](const Track& track, double sign) {
@@ -482,7 +475,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
         const double pole = (turns < -0.5) != face.surface.is_hollow ? -1.0 : 1.0;
         return quarter(edge_moment(part, face, axes, [&](const Local& p) {
             const double to = angle_of(p.radius, p.z);
-            return surface_moment(axes, apex, p, 0.5 * pole * kHalfTurn, to, 2,
+            return surface_moment(axes, apex, p, 0.5 * pole * kHalfTurnDegrees, to, 2,
                                   [&](double angle) { return round(0.0, f->radius, angle); });
         }));
     }

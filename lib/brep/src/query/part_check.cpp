@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "query/part_check.h"
 
+#include "ncsim/base/angles.h"
 #include "ncsim/brep/measure.h"
 
 #include "geometry/tolerances.h"
@@ -29,7 +30,6 @@ namespace {
 bool passes_near_apex(const Form& form, Vec3 from, Vec3 to) {
     const auto* cone = std::get_if<Cone>(&form);
     if (!cone) return false;
-    constexpr double kNearEnd = 4.0;
     const auto nearest_to = [&](Vec3 v, Vec3 chord) {
         const double length = dot(chord, chord);
         const double t = length > 0.0 ? -dot(v, chord) / length : 0.0;
@@ -40,7 +40,7 @@ bool passes_near_apex(const Form& form, Vec3 from, Vec3 to) {
     const Vec3 begin = from - cone->apex, end = to - cone->apex;
     const Vec3 nearest = nearest_to(begin, to - from);
     if (deviation(nearest) > kTangencyGapMm &&
-        norm(nearest - cone->apex) < kNearEnd * deviation(nearest))
+        norm(nearest - cone->apex) < 4.0 * deviation(nearest))
         return true;
     const bool goes_past = dot(level(begin), level(end)) < 0.0;
     return goes_past && deviation(nearest_to(level(begin), level(to - from))) > kTangencyGapMm;
@@ -49,13 +49,12 @@ bool passes_near_apex(const Form& form, Vec3 from, Vec3 to) {
 // Returns the total number of turns of the loops about an axis through `origin` that the loops do
 // not meet.
 double turns_about(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis) {
-    constexpr double kTurn = 360.0;
     double degrees = 0.0;
     for (std::vector<Vec3> points : loops) {
         points.push_back(points.front());
         degrees += winding_angle(points, origin, axis);
     }
-    return degrees / kTurn;
+    return degrees / kTurnDegrees;
 }
 
 // Returns the turns about the axis of a cylinder whose loops all are whole circles about the axis.
@@ -74,17 +73,16 @@ std::optional<double> turns_of_circles(const Part& part, const Face& face) {
 // True if loops that go round a closed form do not come in pairs with the face between. The circles
 // of a tube are compared in a common plane.
 bool is_without_end(const Part& part, const Face& face) {
-    constexpr double kHalf = 0.5;
-    if (const auto turns = turns_of_circles(part, face)) return std::abs(*turns) > kHalf;
+    if (const auto turns = turns_of_circles(part, face)) return std::abs(*turns) > 0.5;
     if (const auto* cylinder = std::get_if<Cylinder>(&face.surface.form))
         return std::abs(turns_about(points_along(part, face), cylinder->origin, cylinder->axis)) >
-               kHalf;
+               0.5;
     const auto* torus = std::get_if<Torus>(&face.surface.form);
     if (!torus) return false;
     auto loops = points_along(part, face);
     // On a spindle, the tip is the other end.
     if (is_spindle(*torus)) return false;
-    if (std::abs(turns_about(loops, torus->centre, torus->axis)) > kHalf) return true;
+    if (std::abs(turns_about(loops, torus->centre, torus->axis)) > 0.5) return true;
     const Axes axes(torus->centre, face.frame);
     for (auto& points : loops) {
         for (Vec3& p : points) {
@@ -92,7 +90,7 @@ bool is_without_end(const Part& part, const Face& face) {
             p = {at.radius - torus->major, at.z, 0.0};
         }
     }
-    return std::abs(turns_about(loops, {}, {0.0, 0.0, 1.0})) > kHalf;
+    return std::abs(turns_about(loops, {}, {0.0, 0.0, 1.0})) > 0.5;
 }
 
 // Tests one face. Loops are divided into segments, but for whole circles that are far from all
@@ -138,9 +136,8 @@ private:
     // Returns what a loop is on the map, if it is a whole circle that is no tiny one, and counts
     // it.
     std::optional<FaceMap::Round> round_of(const Loop& loop) {
-        constexpr double kTiny = 1e-3;
         const auto circle = whole_circle(part_, loop);
-        if (!circle || circle->radius < kTiny) return std::nullopt;
+        if (!circle || circle->radius < kLeastSizeMm) return std::nullopt;
         const auto round = map_.round_of(*circle);
         if (!round || !std::isfinite(round->centre.x + round->centre.y + round->deviation))
             return std::nullopt;

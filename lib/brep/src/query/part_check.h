@@ -5,6 +5,8 @@
 
 #include "ncsim/brep/part.h"
 
+#include "geometry/tolerances.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,7 +22,7 @@ struct Fault {
 };
 
 /// Distance below which readers take two points for a single point, mm.
-inline constexpr double kReaderClearance = 2e-6;
+inline constexpr double kReaderClearance = 2.0 * kPointError;
 
 /// Text of the fault for loops that cross or touch.
 inline constexpr const char* kCrossOrTouch = "its loops cross or touch";

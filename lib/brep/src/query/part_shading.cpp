@@ -7,6 +7,7 @@
 #include "ncsim/brep/part_shading.h"
 
 #include "geometry/no_index.h"
+#include "geometry/tolerances.h"
 #include "sources/label.h"
 
 #include <algorithm>
@@ -21,15 +22,6 @@ namespace ncsim::brep {
 
 namespace {
 
-// Chord of 60°.
-constexpr double kMaxNormalTurn = 1.0;
-// Factor of the error: corners where coarse hulls meet lie farther out than corners of solids. The
-// direction of the normal decides between surfaces.
-constexpr double kErrors = 2.0;
-// Cosine of 1°. Surfaces that meet at a smaller angle look like a single surface, and their
-// crossing is undetermined.
-constexpr double kAsOne = 0.99985;
-
 bool is_flat(const Surface& surface) {
     return std::holds_alternative<Plane>(surface.form);
 }
@@ -43,8 +35,7 @@ double bend_of(const Form& form, Vec3 p) {
 
 // True if `p` is the tip of a cone, within the resolution of the lattice.
 bool is_tip(const Form& form, Vec3 p) {
-    constexpr double kTip = 1e-3;  // mm
-    return std::holds_alternative<Cone>(form) && bend_of(form, p) < kTip;
+    return std::holds_alternative<Cone>(form) && bend_of(form, p) < kLeastSizeMm;
 }
 
 // Returns x with A x = b; A is symmetric and positive definite.
@@ -59,12 +50,11 @@ Vec3 solution(const std::array<Vec3, 3>& rows, Vec3 b) {
 // Newton's method has slight damping, because the normals of tangent surfaces do not determine a
 // step.
 Vec3 point_on_all(std::span<const Surface* const> surfaces, Vec3 p, double reach) {
-    constexpr int kMostSteps = 12;
-    constexpr double kDamping = 1e-7, kOn = 1e-6, kNearlyOn = 1e-3;  // the latter in mm
     Vec3 at = p;
     double deviation = 0.0;
     for (int step = 0;; ++step) {
-        std::array<Vec3, 3> rows{Vec3{kDamping, 0, 0}, Vec3{0, kDamping, 0}, Vec3{0, 0, kDamping}};
+        const double damping = 100.0 * kRounding;
+        std::array<Vec3, 3> rows{Vec3{damping, 0, 0}, Vec3{0, damping, 0}, Vec3{0, 0, damping}};
         Vec3 right;
         deviation = 0.0;
         for (const Surface* surface : surfaces) {
@@ -75,11 +65,11 @@ Vec3 point_on_all(std::span<const Surface* const> surfaces, Vec3 p, double reach
             for (int i = 0; i < 3; ++i)
                 rows[static_cast<std::size_t>(i)] = rows[static_cast<std::size_t>(i)] + g[i] * g;
         }
-        if (deviation <= kOn || step == kMostSteps) break;
+        if (deviation <= kPointError || step == 12) break;
         at = at + solution(rows, right);
         if (!(norm(at - p) <= reach)) return p;
     }
-    return deviation <= kNearlyOn ? at : p;
+    return deviation <= kLeastSizeMm ? at : p;
 }
 
 }  // namespace
@@ -97,8 +87,10 @@ void ShadingMaker::take(cda::Origin origin, const SweptSurfaces& source) {
         FlatFace flat{face.normal, {}, face.loops, points};
         area_of(face.loops, points, face.normal, flat.centroid);
         double best = std::numeric_limits<double>::infinity();
+        // Corners where coarse hulls meet lie farther out than corners of solids by a factor of 2.
+        // The direction of the normal decides between surfaces: a chord of 1 is 60°.
         const CandidateSurface* candidate =
-            best_of(flat, source.candidates, kErrors * source.error_mm, kMaxNormalTurn, best);
+            best_of(flat, source.candidates, 2.0 * source.error_mm, 1.0, best);
         if (!candidate) continue;
         std::uint32_t& number =
             numbers[static_cast<std::size_t>(candidate - source.candidates.data())];
@@ -152,7 +144,9 @@ Shading ShadingMaker::finish() {
             for (const std::uint32_t t : here) {
                 if (t == s) continue;
                 const double cosine = dot(own, outward(surfaces[t], p));
-                if (cosine < kLeastShadingCosine || cosine > kAsOne) continue;
+                // Surfaces that meet at less than 1° look like a single surface, and their crossing
+                // is undetermined.
+                if (cosine < kLeastShadingCosine || cosine > 0.99985) continue;
                 joined.push_back(&surfaces[t]);
                 bend = std::min(bend, bend_of(surfaces[t].form, p));
                 error = std::max(error, errors_[t]);

@@ -12,6 +12,7 @@
 #include "geometry/cut_walk.h"
 #include "geometry/no_index.h"
 #include "geometry/plane_cut.h"
+#include "geometry/tolerances.h"
 #include "topology/crossings.h"
 
 #include <algorithm>
@@ -22,11 +23,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-// Distance within which a point counts as in the plane, mm.
-constexpr double kInPlane = 1e-6;
-// Length below which readers take the ends of a piece for a single point, mm.
-constexpr double kNoLength = 1e-6;
 
 // --- The drawing --------------------------------------------------------------------------
 
@@ -44,8 +40,7 @@ Sheet sheet_of(int axis) {
 // Returns the angle passed from `from` to `to`, degrees in (0, 360].
 double turn_of(double from, double to, bool is_ccw) {
     double turn = is_ccw ? to - from : from - to;
-    constexpr double kNoTurn = 1e-12;
-    while (turn <= kNoTurn)
+    while (turn <= kUnitRounding)
         turn += 360.0;
     return turn;
 }
@@ -84,13 +79,12 @@ struct ExtentOf {
         const double turn = turn_of(start, angle(piece->to), e.is_ccw);
         const double sector = 0.5 * major * e.minor_radius * turn * kRadiansPerDegree;
         // No closed formula gives the length of a part of an ellipse.
-        constexpr int kSteps = 64;
         double length = 0.0;
-        for (int i = 0; i < kSteps; ++i) {
-            const double middle = (e.is_ccw ? turn : -turn) * (i + 0.5) / kSteps;
+        for (int i = 0; i < 2 * kSamples; ++i) {
+            const double middle = (e.is_ccw ? turn : -turn) * (i + 0.5) / (2 * kSamples);
             const auto t = sin_cos(start + middle);
             const double du = major * t.sin, dv = e.minor_radius * t.cos;
-            length += std::sqrt(du * du + dv * dv) * turn * kRadiansPerDegree / kSteps;
+            length += std::sqrt(du * du + dv * dv) * turn * kRadiansPerDegree / (2 * kSamples);
         }
         return {0.5 * cross(e.centre, piece->to - piece->from) + (e.is_ccw ? sector : -sector),
                 length};
@@ -144,7 +138,7 @@ public:
         : part_(part),
           sheet_(sheet_of(plane.axis)),
           plane_{sheet_.normal, sheet_.normal[plane.axis] * plane.at},
-          lifted_{plane_.normal, plane_.offset + kInPlane},
+          lifted_{plane_.normal, plane_.offset + kPointError},
           is_above_(part.vertices.size()),
           crossings_(part.edges.size()),
           first_(part.edges.size(), 0) {
@@ -153,9 +147,9 @@ public:
 
     std::optional<Section> operator()() {
         for (std::size_t v = 0; v < is_above_.size(); ++v)
-            is_above_[v] = plane_.height(part_.vertices[v]) > kInPlane;
+            is_above_[v] = plane_.height(part_.vertices[v]) > kPointError;
         for (std::size_t e = 0; e < part_.edges.size(); ++e) {
-            crossings_[e] = crossings_of(part_, part_.edges[e], plane_, kInPlane);
+            crossings_[e] = crossings_of(part_, part_.edges[e], plane_, kPointError);
             first_[e] = crossings_in_all_;
             crossings_in_all_ += static_cast<std::uint32_t>(crossings_[e].size());
         }
@@ -227,9 +221,8 @@ private:
 
     // True if the pieces of the cut that are away from the axis cannot be identified.
     bool is_spindle_cut_upright(const Form& form) const {
-        constexpr double kLevel = 1e-9;
         const auto* torus = std::get_if<Torus>(&form);
-        return torus && is_spindle(*torus) && norm(cross(torus->axis, plane_.normal)) > kLevel;
+        return torus && is_spindle(*torus) && norm(cross(torus->axis, plane_.normal)) > kRounding;
     }
 
     // True if the plane may cut a form whose cut is unknown: a torus, a dome, a coil or a spiral.
@@ -284,12 +277,11 @@ private:
                 last = std::max(last, across);
             }
         }
-        constexpr int kPieces = 32;
         bool is_below = false, is_above = false;
-        for (int i = 0; i <= kPieces; ++i) {
-            const ToolFrame tool = sweep.at(begin + (end - begin) * i / kPieces);
-            for (int k = 0; k <= kPieces; ++k) {
-                const double across = first + (last - first) * k / kPieces;
+        for (int i = 0; i <= kSamples; ++i) {
+            const ToolFrame tool = sweep.at(begin + (end - begin) * i / kSamples);
+            for (int k = 0; k <= kSamples; ++k) {
+                const double across = first + (last - first) * k / kSamples;
                 const double height = lifted_.height(point_across(sweep, tool, across));
                 (height > 0.0 ? is_above : is_below) = true;
             }
@@ -342,9 +334,8 @@ private:
         // A face with its tip as a corner does not go round.
         const auto* torus = std::get_if<Torus>(&face.surface.form);
         if (torus && is_spindle(*torus) && face.loops.size() == 1) return false;
-        constexpr int kTries = 16;
-        for (int i = 0; i < kTries; ++i) {
-            const Vec3 q = cut.at(branch, 360.0 * (i + 0.371) / kTries);
+        for (int i = 0; i < kSamples / 2; ++i) {
+            const Vec3 q = cut.at(branch, 360.0 * (i + 0.371) / (kSamples / 2));
             const auto normal = second_normal(face.surface.form, q, i);
             if (!normal) continue;
             const CutPlane second{*normal, dot(*normal, q)};
@@ -387,8 +378,8 @@ private:
             if (!apex) return cut_.branch_of(p) == branch_;
             // Edges of facets are off the ruling; the second ruling in the plane is much farther
             // away.
-            constexpr double kOne = 2e-2;
-            return norm(cross(p - *apex, q_ - *apex)) <= kOne * norm(p - *apex) * norm(q_ - *apex);
+            return norm(cross(p - *apex, q_ - *apex)) <=
+                   20.0 * kLeastSine * norm(p - *apex) * norm(q_ - *apex);
         }
         double place_of(Vec3 p) const {
             const auto apex = cut_.apex();
@@ -409,7 +400,7 @@ private:
     std::optional<Vec3> second_normal(const Form& form, Vec3 q, int turn) const {
         const auto along_axis = [&](Vec3 origin, Vec3 axis) -> std::optional<Vec3> {
             const Vec3 n = cross(axis, q - origin);
-            if (norm(n) < kNoLength) return std::nullopt;
+            if (norm(n) < kPointError) return std::nullopt;
             return normalized(n);
         };
         if (const auto* f = std::get_if<Cylinder>(&form)) return along_axis(f->origin, f->axis);
@@ -420,7 +411,7 @@ private:
         if (!f) return std::nullopt;
         const Vec3 out = normalized(q - f->centre);
         const Vec3 x = any_perpendicular(out);
-        const auto angle = sin_cos(180.0 * (turn + 0.129) / 16.0);
+        const auto angle = sin_cos(180.0 * (turn + 0.129) / (kSamples / 2));
         return normalized(angle.cos * x + angle.sin * cross(out, x));
     }
 
@@ -432,12 +423,12 @@ private:
         made.piece.is_facet = face.is_facet;
         made.piece.from = sheet_(trace.begin->at);
         made.piece.to = sheet_(trace.end->at);
-        const bool is_short = norm(trace.begin->at - trace.end->at) <= kNoLength;
+        const bool is_short = norm(trace.begin->at - trace.end->at) <= kPointError;
         if (const auto apex = exact.apex()) {
             const Vec3 in = trace.begin->at - *apex, out = trace.end->at - *apex;
             const double far = std::min(norm(in), norm(out));
             // The cut descends on a ruling and rises on another.
-            if (far > kNoLength && norm(cross(in, out)) > kNoLength * far) {
+            if (far > kPointError && norm(cross(in, out)) > kPointError * far) {
                 Made down = made;
                 down.end = made.begin = crossings_in_all_++;
                 down.piece.to = made.piece.from = sheet_(*apex);
@@ -464,8 +455,7 @@ private:
         if (const auto b = exact.exact(branch)) {
             const double x = norm(b->x), y = norm(b->y);
             const bool is_ccw = (dot(cross(b->x, b->y), sheet_.normal) > 0.0) == trace.grows;
-            constexpr double kRound = 1e-9;
-            if (std::abs(x - y) <= kRound * x) {
+            if (std::abs(x - y) <= kRounding * x) {
                 piece.curve = FlatArc{sheet_(b->centre), x, is_ccw};
             } else {
                 const bool wide = x > y;
@@ -476,9 +466,8 @@ private:
         }
         FlatChords chords;
         const double sign = trace.grows ? 1.0 : -1.0;
-        constexpr int kFirst = 8;
-        for (int i = 0; i < kFirst; ++i) {
-            const double a = turn * i / kFirst, b = turn * (i + 1) / kFirst;
+        for (int i = 0; i < kSamples / 4; ++i) {
+            const double a = turn * i / (kSamples / 4), b = turn * (i + 1) / (kSamples / 4);
             if (i > 0) chords.between.push_back(sheet_(exact.at(branch, from + sign * a)));
             refine(chords, exact, branch, from, sign, a, b, 0);
         }
@@ -495,9 +484,9 @@ private:
         const double length = norm(chord);
         const double deviation =
             length > 0.0 ? std::abs(cross(chord, m - p)) / length : norm(m - p);
-        // The curve may bulge more between a and b than in the middle.
-        constexpr int kDeepest = 12;
-        if (deviation <= 0.5 * kChordsMm || depth == kDeepest) return;
+        // The curve may bulge more between a and b than in the middle. 12 halvings reach 1 µm on
+        // any curve of a part.
+        if (deviation <= 0.5 * kChordsMm || depth == 12) return;
         refine(chords, exact, branch, from, sign, a, middle, depth + 1);
         chords.between.push_back(m);
         refine(chords, exact, branch, from, sign, middle, b, depth + 1);
@@ -510,8 +499,7 @@ private:
         // by d / sine.
         const auto sine = [&](Vec2 p) {
             Vec3 at = p.x * sheet_.u + p.y * sheet_.v + plane_.offset * plane_.normal;
-            constexpr double kLeastStep = 0.02;
-            return std::max(kLeastStep, norm(ahead(face, at)));
+            return std::max(20.0 * kLeastSine, norm(ahead(face, at)));
         };
         made.per_mm = extent.length / std::min(sine(made.piece.from), sine(made.piece.to));
         section_.area_per_mm += made.per_mm;
@@ -547,7 +535,7 @@ private:
         if (outline.size() > 1) {
             Outline longer;
             for (SectionPiece& piece : outline) {
-                if (extent_of(piece).length > kNoLength) longer.push_back(std::move(piece));
+                if (extent_of(piece).length > kPointError) longer.push_back(std::move(piece));
             }
             for (std::size_t i = 0; i < longer.size(); ++i)
                 longer[i].to = longer[(i + 1) % longer.size()].from;
@@ -562,7 +550,7 @@ private:
             length += extent.length;
         }
         // An outline without area is dropped.
-        if (std::abs(area) <= kInPlane * length) return;
+        if (std::abs(area) <= kPointError * length) return;
         section_.area_mm2 += area;
         section_.outlines.push_back(std::move(outline));
     }
@@ -578,7 +566,7 @@ private:
                 continue;
             }
             a.to = b.to;
-            const bool is_gone = norm(a.to - a.from) <= kNoLength;
+            const bool is_gone = norm(a.to - a.from) <= kPointError;
             if (is_gone) outline[(i + outline.size() - 1) % outline.size()].to = a.to;
             // The later piece is erased first.
             const std::size_t later = std::max(i, next), sooner = std::min(i, next);
@@ -593,7 +581,7 @@ private:
             !std::holds_alternative<FlatLine>(b.curve))
             return false;
         const Vec2 d = a.to - a.from, e = b.to - b.from;
-        return std::abs(cross(d, e)) <= kNoLength * std::max(norm(d), norm(e)) &&
+        return std::abs(cross(d, e)) <= kPointError * std::max(norm(d), norm(e)) &&
                d.x * e.x + d.y * e.y < 0.0;
     }
 
@@ -615,18 +603,17 @@ private:
     }
 
     static bool goes_on(const SectionPiece& a, const SectionPiece& b) {
-        constexpr double kSameCurve = 1e-7;
         if (a.origin != b.origin || a.is_facet != b.is_facet) return false;
         if (std::holds_alternative<FlatLine>(a.curve) &&
             std::holds_alternative<FlatLine>(b.curve)) {
             const Vec2 d = a.to - a.from, e = b.to - b.from;
-            return std::abs(cross(d, e)) <= kSameCurve * std::max(norm(d), norm(e)) &&
+            return std::abs(cross(d, e)) <= kReaderMm * std::max(norm(d), norm(e)) &&
                    d.x * e.x + d.y * e.y > 0.0;
         }
         const auto* c = std::get_if<FlatArc>(&a.curve);
         const auto* d = std::get_if<FlatArc>(&b.curve);
-        return c && d && std::abs(c->radius - d->radius) <= kSameCurve &&
-               norm(c->centre - d->centre) <= kSameCurve && c->is_ccw == d->is_ccw;
+        return c && d && std::abs(c->radius - d->radius) <= kReaderMm &&
+               norm(c->centre - d->centre) <= kReaderMm && c->is_ccw == d->is_ccw;
     }
 
     const Part& part_;
@@ -644,13 +631,11 @@ private:
 
 std::optional<SectionPlane> parse_section_plane(std::string_view text) {
     if (text.size() < 3 || text[1] != '=') return std::nullopt;
-    constexpr std::string_view kAxes = "xyz";
-    const std::size_t axis = kAxes.find(static_cast<char>(text[0] | 0x20));
+    const std::size_t axis = std::string_view("xyz").find(static_cast<char>(text[0] | 0x20));
     if (axis == std::string_view::npos) return std::nullopt;
     text.remove_prefix(2);
     const auto at = number_in<double>(text);
-    constexpr double kFar = 1e6;  // mm; no program reaches this
-    if (!at || !(std::abs(*at) < kFar)) return std::nullopt;
+    if (!at || !(std::abs(*at) < 1e6)) return std::nullopt;  // No program reaches this.
     return SectionPlane{static_cast<int>(axis), *at};
 }
 

@@ -23,22 +23,12 @@
 
 namespace ncsim::brep {
 
-namespace {
-
-// So many chains, one after the other, are between other faces than in the polyhedron.
-constexpr int kMostFlips = 3;
-// A corner of an edge that only goes on there.
-constexpr int kChainsThrough = 2;
-
-}  // namespace
-
 // Where a boundary goes on from its corner, of the surfaces beside it; unit.
 Vec3 Chains::direction_of(std::uint32_t h) const {
-    constexpr double kSteep = 1e-3;
     const Vec3 p = mesh_.point(mesh_.edges()[h].from), step = mesh_.point(mesh_.to(h)) - p;
     const Vec3 along = cross(outward(groups_.surface_of(groups_.group_at(h)), p),
                              outward(groups_.surface_of(groups_.opposite_group(h)), p));
-    if (norm(along) < kSteep) return normalized(step);
+    if (norm(along) < kLeastSine) return normalized(step);
     return normalized(dot(along, step) < 0.0 ? -along : along);
 }
 
@@ -63,14 +53,12 @@ std::vector<Chains::Spoke> Chains::spokes_at(const Vertex& v) const {
 // told by the faces beside that edge: their loops turn as much as they did in the one corner.
 bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
     const Vertex before = vertices_[number];
-    constexpr std::size_t kFewest = 4, kMost = 7;
-    constexpr double kShortest = 1e-5;  // mm; less than readers can tell
     const std::size_t count = spokes.size();
     // Near the tip of a cone, corners are elsewhere too easily.
     const bool may_not = std::ranges::any_of(before.groups, [&](std::uint32_t g) {
         return groups_.is_facet(g) || std::holds_alternative<Cone>(groups_.form_of(g));
     });
-    if (count < kFewest || count > kMost || before.groups.size() != count || may_not) return false;
+    if (count < 4 || count > 7 || before.groups.size() != count || may_not) return false;
     const auto at = [&](std::size_t i) -> const Spoke& { return spokes[i % count]; };
     struct Choice {
         double length;
@@ -89,23 +77,23 @@ bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
         if (!solve_corner(choice.near) || !solve_corner(choice.far)) continue;
         const Vec3 step = choice.far.at - choice.near.at;
         choice.length = norm(step);
-        if (choice.length <= kShortest || (best && best->length <= choice.length)) continue;
+        if (choice.length <= 10.0 * kPointError || (best && best->length <= choice.length))
+            continue;
         // The one or the other is the corner of a bend, or is going to have it.
-        const auto is_at = [&](const Vertex& v) { return norm(v.at - *bend) <= kPoint; };
+        const auto is_at = [&](const Vertex& v) { return norm(v.at - *bend) <= kReaderMm; };
         if (bend && !is_at(choice.near) && !is_at(choice.far) && !is_bend_elsewhere(choice.far))
             continue;
         // With four of them each corner has one that is not beside the edge.
-        if (count == kFewest &&
+        if (count == 4 &&
             is_past_tangency({b.right, a.left}, a.right, c.right, choice.near.at, choice.far.at)
                 .value_or(false))
             continue;
         const auto goes_on = [&](std::uint32_t g, Vec3 in, Vec3 between, Vec3 on) {
-            constexpr double kRounding = 1.0;  // degrees
             const Vec3 n = outward(groups_.surface_of(g), before.at);
             const auto turn = [&](Vec3 u, Vec3 v) {
                 return angle_of(dot(u, v), dot(n, cross(u, v)));
             };
-            return std::abs(turn(in, between) + turn(between, on) - turn(in, on)) < kRounding;
+            return std::abs(turn(in, between) + turn(between, on) - turn(in, on)) < 1.0;  // degrees
         };
         if (goes_on(b.right, -b.direction, step, c.direction) &&
             goes_on(a.left, -d.direction, -step, a.direction))
@@ -134,7 +122,7 @@ bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
 bool Chains::is_bend_elsewhere(const Vertex& v) const {
     const auto corner = bend_at(v);
     const double deviation = corner ? norm(*corner - v.at) : 0.0;
-    return deviation > kPoint && deviation < 0.25 * reach(v.groups);
+    return deviation > kReaderMm && deviation < 0.25 * reach(v.groups);
 }
 
 // On the way of the two ramps from there: a point of their edge, and none that the others have.
@@ -142,7 +130,7 @@ bool Chains::is_bend_ahead(const Vertex& v, const std::vector<Spoke>& spokes) co
     return std::ranges::any_of(spokes, [&](const Spoke& spoke) {
         const auto corner =
             corner_of_bend(groups_.form_of(spoke.left), groups_.form_of(spoke.right), v.at);
-        return corner && dot(*corner - v.at, spoke.direction) > kPoint;
+        return corner && dot(*corner - v.at, spoke.direction) > kReaderMm;
     });
 }
 
@@ -259,7 +247,7 @@ void Chains::bend(std::uint32_t number) {
         const bool passes_corner = std::ranges::any_of(
             points_of(chain), [&](Vec3 p) { return norm(p - *corner) <= near; });
         if (!passes_corner) {
-            if (lower > std::max(kLune, groups_.error_of(chain.left))) return;
+            if (lower > std::max(5.0 * kLeastSizeMm, groups_.error_of(chain.left))) return;
             mitred_mm_ = std::max(mitred_mm_, lower);
         }
     }
@@ -340,7 +328,7 @@ void Chains::join_same_corners() {
         const bool is_same = chain.from != chain.to && !chain.is_closed &&
                              is_of_turning_tools(vertices_[chain.from]) &&
                              vertices_[chain.to].groups == vertices_[chain.from].groups &&
-                             norm(vertices_[chain.to].at - vertices_[chain.from].at) <= kPoint;
+                             norm(vertices_[chain.to].at - vertices_[chain.from].at) <= kReaderMm;
         if (is_same) join(chain.to, chain.from);
     }
     // At most so many: what vanishes is still counted.
@@ -350,8 +338,8 @@ void Chains::join_same_corners() {
         ++ends[chain.to];
     }
     for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
-        if (ends[v] <= kChainsThrough || vertices_[v].groups.size() != 2 ||
-            !is_of_turning_tools(vertices_[v]))
+        // Two ends are a corner of an edge that only goes on there.
+        if (ends[v] <= 2 || vertices_[v].groups.size() != 2 || !is_of_turning_tools(vertices_[v]))
             continue;
         if (const auto beyond = close_pinch(v)) ends[*beyond] += ends[v];
     }
@@ -382,7 +370,7 @@ std::optional<std::uint32_t> Chains::close_pinch(std::uint32_t v) {
         if (chain.from != chain.to && (!shortest || length(chain) < length(*shortest)))
             shortest = &chain;
     }
-    if (ends <= kChainsThrough || !shortest) return std::nullopt;
+    if (ends <= 2 || !shortest) return std::nullopt;
     const std::uint32_t beyond = shortest->from == v ? shortest->to : shortest->from;
     join(v, beyond);
     for (Chain& chain : chains_) {
@@ -447,7 +435,9 @@ bool Chains::flip_reversed() {
     ChainsAt at = chains_at();
     bool any = false;
     for (std::uint32_t c = 0; c < chains_.size(); ++c) {
-        if (is_reversed(chains_[c])) any = flip(c, at, kMostFlips) || any;
+        // At most three chains, one after the other, are between other faces than in the
+        // polyhedron.
+        if (is_reversed(chains_[c])) any = flip(c, at, 3) || any;
     }
     return any;
 }
@@ -458,7 +448,7 @@ bool Chains::is_reversed(Chain& chain) const {
     const Vec3 step = to.at - from.at;
     // One beside it, which was flipped later, has changed its end.
     if (chain.is_flipped) return dot(step, chain.direction) < 0.0;
-    if (from.has_failed || to.has_failed || norm(step) <= kPoint) return false;
+    if (from.has_failed || to.has_failed || norm(step) <= kReaderMm) return false;
     if (from.groups.size() == 3 && to.groups.size() == 3) {
         const auto third = [&](const Vertex& v) {
             return *std::ranges::find_if(
@@ -494,7 +484,7 @@ std::optional<bool> Chains::is_past_tangency(const std::array<std::uint32_t, 2>&
             const bool is_below = round.fillet()->height <= side.flank()->height + kTangencyGapMm;
             const bool should_be_above = one->sweep->flank() ? is_below : !is_below;
             const double above = distance(*touching, other);
-            if (std::abs(above) <= kPoint) continue;
+            if (std::abs(above) <= kReaderMm) continue;
             is_beyond = is_beyond.value_or(false) || (above > 0.0) != should_be_above;
         }
     }

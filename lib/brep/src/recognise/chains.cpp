@@ -25,13 +25,6 @@ namespace ncsim::brep {
 
 namespace {
 
-// Where ways bend, sides and corner radii of both meet in two corners, as near to each other as
-// what programs round. They are off both by more, mm.
-constexpr double kExact = 1e-6;
-// Loops of less are none, mm.
-constexpr double kNothing = 1e-4;
-// By so much corners that are one may be off what is around them, mm.
-constexpr double kMostRounded = 1e-3;
 constexpr int kTip = -1;  // no number of edges
 
 // Where two forms touch in a circle, corners may be on both within what programs round, but off the
@@ -187,7 +180,7 @@ void Chains::solve() {
          ++i) {
         bool has_failed = !solve_corner(vertices_[i]);
         if (has_failed || vertices_[i].is_bend_elsewhere ||
-            (vertices_[i].miss > kExact && is_of_turning_tools(vertices_[i]))) {
+            (vertices_[i].miss > kPointError && is_of_turning_tools(vertices_[i]))) {
             const std::vector<Spoke> spokes = spokes_at(vertices_[i]);
             const bool is_ahead = !has_failed && is_bend_ahead(vertices_[i], spokes);
             if (!is_ahead && split(i, spokes)) has_failed = false;
@@ -206,8 +199,7 @@ void Chains::solve() {
     if (!failures_.empty()) return;
     join_same_corners();
     // One may turn another one round.
-    constexpr int kMostPasses = 4;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < 4; ++pass) {
         if (!flip_reversed()) break;
     }
     for (std::uint32_t c = 0, before = static_cast<std::uint32_t>(chains_.size()); c < before; ++c)
@@ -248,7 +240,7 @@ void Chains::align_on_generators() {
         if (!wall || groups_.is_facet(chain.left) || groups_.is_facet(chain.right)) continue;
         const Vec3 along = vertices_[chain.to].at - vertices_[chain.from].at;
         const double lateral = norm(cross(along, wall->axis));
-        if (lateral <= kPoint || lateral > kMostRounded ||
+        if (lateral <= kReaderMm || lateral > kLeastSizeMm ||
             std::abs(dot(along, wall->axis)) <= lateral || !tangency_surface(a, b))
             continue;
         const std::uint32_t one = root(chain.from), other = root(chain.to);
@@ -282,7 +274,7 @@ void Chains::join_vanished() {
     std::set<std::uint32_t> moved;
     for (const Chain& chain : chains_) {
         if (!chain.has_vanished || chain.edges.empty() || chain.from == chain.to ||
-            norm(vertices_[chain.to].at - vertices_[chain.from].at) <= kPoint ||
+            norm(vertices_[chain.to].at - vertices_[chain.from].at) <= kReaderMm ||
             !is_rounded_off(chain))
             continue;
         join_ends(chain);
@@ -349,7 +341,7 @@ bool Chains::is_rounded_off(const Chain& chain) const {
                 std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form) ||
                 std::holds_alternative<Cone>(form) || std::holds_alternative<Coil>(form);
             return is_pointed && !groups_.is_facet(g) &&
-                   std::abs(distance(form, p)) <= kMostRounded;
+                   std::abs(distance(form, p)) <= kLeastSizeMm;
         });
     };
     return norm(to.at - from.at) <= kTangencyGapMm && is_on(from, to.at) && is_on(to, from.at);
@@ -376,7 +368,7 @@ bool Chains::snap_to_circle(std::uint32_t of_circle, std::uint32_t vertex) {
     bool any = false;
     for (const std::uint32_t g : {circle->left, circle->right}) {
         const auto* plane = std::get_if<Plane>(&groups_.form_of(g));
-        if (!plane || std::abs(distance(*plane, v.at)) <= kPoint) continue;
+        if (!plane || std::abs(distance(*plane, v.at)) <= kReaderMm) continue;
         any = snap_circles_.insert({mesh_.edges()[v.edge].from, groups_[g].surface}).second || any;
     }
     return any;
@@ -437,13 +429,12 @@ void Chains::end_arcs_in_corners() {
         ends[chain.from].push_back({c, true, along(from)});
         ends[chain.to].push_back({c, false, -along(to)});
     }
-    constexpr double kAlong = 1e-3;                             // rad
     std::vector<std::array<bool, 2>> runs_out(chains_.size());  // at its start, at its end
     for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
-        if (vertices_[v].miss <= kTangentMm || vertices_[v].miss > kReaderResolution) continue;
+        if (vertices_[v].miss <= 0.1 * kRounding || vertices_[v].miss > 2.0 * kReaderMm) continue;
         for (std::size_t i = 0; i < ends[v].size(); ++i) {
             for (std::size_t j = i + 1; j < ends[v].size(); ++j) {
-                if (norm(ends[v][i].direction - ends[v][j].direction) > kAlong) continue;
+                if (norm(ends[v][i].direction - ends[v][j].direction) > kLeastSine) continue;
                 for (const End& end : {ends[v][i], ends[v][j]})
                     runs_out[end.chain][end.is_start ? 0 : 1] = true;
             }
@@ -457,9 +448,8 @@ void Chains::end_arcs_in_corners() {
         const Vec3 first = starts ? from : to, second = starts ? to : from;
         const auto ending = circle_through(*circle, first, second);
         // Directions that differ by more cross farther from the corner than readers merge.
-        constexpr double kSameDirection = 1e-8;  // rad
         const bool both = starts && stops;
-        if (ending && (!both || angle_between(*circle, *ending, second) <= kSameDirection)) {
+        if (ending && (!both || angle_between(*circle, *ending, second) <= 10.0 * kRounding)) {
             *circle = *ending;
             continue;
         }
@@ -482,13 +472,13 @@ void Chains::solve_chain(Chain& chain) {
     if (is_loop) {
         // Around facets that are needles.
         const std::vector<Vec3> points = points_of(chain);
-        const auto is_there = [&](Vec3 p) { return norm(p - points.front()) < kNothing; };
+        const auto is_there = [&](Vec3 p) { return norm(p - points.front()) < kFlat; };
         if (std::ranges::all_of(points, is_there)) {
             chain.has_vanished = true;
             return;
         }
     }
-    if (!is_loop && norm(to.at - from.at) <= kPoint) {
+    if (!is_loop && norm(to.at - from.at) <= kReaderMm) {
         // A circle that ends where it begins, or nothing?
         if (norm(middle_of(chain) - from.at) < reach({chain.left, chain.right})) {
             chain.has_vanished = true;
@@ -508,7 +498,7 @@ void Chains::solve_chain(Chain& chain) {
         // A line that comes back is none; nor is one the other way.
         const bool is_back =
             !chain.is_flipped && dot(to.at - from.at, points.back() - points.front()) < 0.0;
-        if (is_loop || (is_back && norm(to.at - from.at) > kPoint))
+        if (is_loop || (is_back && norm(to.at - from.at) > kReaderMm))
             return !is_loop && is_of_rounding(chain) ? vanish(chain) : fail(chain);
         chain.curve = Line{};
         return;
@@ -532,7 +522,7 @@ void Chains::solve_chain(Chain& chain) {
         // The edge of two straight pipes has no lune either if no facet shows the lune.
         const double lower = depth_of_lune(a, b, Track(chain.curve, from.at, to.at));
         const double error = std::max(groups_.error_of(chain.left), groups_.error_of(chain.right));
-        if (lower > std::max(kLune, error)) return fail(chain);
+        if (lower > std::max(5.0 * kLeastSizeMm, error)) return fail(chain);
         mitred_mm_ = std::max(mitred_mm_, lower);
         return;
     }
@@ -578,7 +568,7 @@ void Chains::solve_chain(Chain& chain) {
     // have their ends there, and one direction.
     // Three faces that miss their corner touch there, whatever is known of their forms.
     const auto is_rounded = [](const Vertex& v) {
-        return (v.is_tangency || v.groups.size() == 3) && v.miss > kReaderResolution;
+        return (v.is_tangency || v.groups.size() == 3) && v.miss > 2.0 * kReaderMm;
     };
     if (!is_loop && circle && (is_rounded(from) || is_rounded(to))) {
         points.front() = from.at;

@@ -47,12 +47,6 @@ struct Vertex {
     Vec3 start{};                ///< Where it is in the polyhedron.
 };
 
-/// Corners nearer than this are one, mm.
-inline constexpr double kPoint = 1e-7;
-
-/// In errors of theirs: how far edges of facets may be off the faces beside them.
-inline constexpr double kFacetSlack = 1.6;
-
 class Chains {
 public:
     /// What cannot be solved is added to `failures`. All of them must outlive it.

@@ -22,13 +22,11 @@ namespace ncsim::brep {
 
 namespace {
 
-constexpr double kApexReach = 0.3;  // mm
-
 // Newton's method does not find an apex, where a cone has no normal.
 bool move_to_apex(const std::vector<const Form*>& forms, Vec3& p) {
     for (const Form* form : forms) {
         const auto* cone = std::get_if<Cone>(form);
-        if (!cone || norm(p - cone->apex) > kApexReach) continue;
+        if (!cone || norm(p - cone->apex) > 0.3) continue;
         const bool all = std::ranges::all_of(
             forms, [&](const Form* f) { return std::abs(distance(*f, cone->apex)) < kFlat; });
         if (!all) continue;
@@ -94,11 +92,11 @@ void move_to_mitre(std::vector<const Form*> forms, std::size_t count, Vec3& p) {
 
 // Planes, no two of them parallel but for what programs round.
 bool are_askew(std::span<const Form* const> planes) {
-    constexpr double kLeastSine = 3e-3;
     for (std::size_t i = 0; i < planes.size(); ++i) {
         for (std::size_t j = i + 1; j < planes.size(); ++j) {
             const Vec3 one = std::get<Plane>(*planes[i]).normal;
-            if (norm(cross(one, std::get<Plane>(*planes[j]).normal)) < kLeastSine) return false;
+            if (norm(cross(one, std::get<Plane>(*planes[j]).normal)) < 3.0 * kLeastSine)
+                return false;
         }
     }
     return true;
@@ -216,10 +214,9 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines
         deviation = std::min(deviation, distance_from(line, v.at));
     // Planes at small angles meet far away for little; not those that are parallel but for
     // rounding.
-    constexpr double kFlatReach = 2.0;
     const bool is_far = all_flat && are_askew(std::span(forms).first(count));
     const bool is_lost =
-        !(v.miss <= kTangencyGapMm) || deviation > (is_far ? kFlatReach : 1.0) * reach(v.groups);
+        !(v.miss <= kTangencyGapMm) || deviation > (is_far ? 2.0 : 1.0) * reach(v.groups);
     if (!is_lost) return true;
     // Planes that were made to meet within less than anybody sees.
     v.at = start;
@@ -245,8 +242,7 @@ bool Chains::solve_corner(Vertex& v) {
     });
     const bool was_tangency = std::exchange(v.is_tangency, false);
     if (cached == all.end()) {
-        constexpr std::size_t kMostKnown = 32;
-        if (all.size() == kMostKnown) all.clear();
+        if (all.size() == 32) all.clear();
         CachedCorner found;
         found.is_solved = solve_vertex(v);
         std::ranges::transform(v.groups, std::back_inserter(found.surfaces), key);

@@ -20,8 +20,7 @@ namespace {
 
 // Of what joins a neighbour, as a chord.
 constexpr double kMostTurnOfNeighbours = 0.6;
-// Of what is narrower than its error, and so may look anywhere.
-constexpr double kMostTurnOfNarrow = 1.0;
+// Chord of any two directions.
 constexpr double kAnyTurn = 2.0;
 // So many errors is a lune that is one error low off either of the pipes beside it, at most: four
 // times as far from the one as from the plane between both, and corners of hulls lie farther out.
@@ -30,14 +29,14 @@ constexpr double kLuneErrors = 6.0;
 // Of what is between two planes, or two cylinders about nearly one axis, that look away from each
 // other: how thick it is at most. Negative where there is nothing.
 std::optional<double> thickness_between(const Surface& a, const Surface& b) {
-    constexpr double kParallel = 1e-5;  // rad
     if (const auto* one = std::get_if<Plane>(&a.form), *two = std::get_if<Plane>(&b.form);
         one && two) {
-        if (norm(one->normal + two->normal) > kParallel) return std::nullopt;
+        if (norm(one->normal + two->normal) > kParallelAngle) return std::nullopt;
         return -distance(a.form, two->origin);
     }
     const auto *one = std::get_if<Cylinder>(&a.form), *two = std::get_if<Cylinder>(&b.form);
-    if (!one || !two || a.is_hollow == b.is_hollow || norm(cross(one->axis, two->axis)) > kParallel)
+    if (!one || !two || a.is_hollow == b.is_hollow ||
+        norm(cross(one->axis, two->axis)) > kParallelAngle)
         return std::nullopt;
     const Vec3 separation = two->origin - one->origin;
     const double deviation = norm(separation - dot(separation, one->axis) * one->axis);
@@ -176,8 +175,9 @@ bool Groups::unify() {
         const double boundary_length = perimeter(g);
         if (2.0 * group.area >= 2.0 * error_of(g) * boundary_length) continue;
         const bool is_of_rounding = 2.0 * group.area < kTangencyGapMm * boundary_length;
+        // A group that is narrower than its error may look anywhere.
         any = absorb(g, 1.5, kMostTurnOfNeighbours) ||
-              absorb(g, 2.0, is_of_rounding ? kAnyTurn : kMostTurnOfNarrow) || any;
+              absorb(g, 2.0, is_of_rounding ? kAnyTurn : 1.0) || any;
     }
     return any;
 }
@@ -202,7 +202,8 @@ bool Groups::absorb_lunes() {
             }
         }
         const double lower = radius_of(form_of(g)) * (std::sqrt(2.0 / (1.0 + cosine)) - 1.0);
-        if (lower > std::max(kLune, error_of(g))) continue;
+        // Farther out than what a ball leaves at a bend may be other material in its place.
+        if (lower > std::max(5.0 * kLeastSizeMm, error_of(g))) continue;
         const auto longest = std::ranges::max_element(pipes, {}, &Pipe::shared);
         // Other pipes may happen to pass by, or the same one on both sides of the end of its way.
         if (!lies_on(g, longest->group, kLuneErrors, kMostTurnOfNeighbours)) continue;
@@ -244,14 +245,13 @@ std::vector<Groups::Pipe> Groups::adjacent_pipes(std::uint32_t g) const {
 // Hulls of a tool that goes down a helix have corners at every height. Between them ledges are left
 // on the wall that are floors of nothing.
 bool Groups::absorb_ledges() {
-    constexpr double kLeastShare = 0.7, kNarrow = 0.5;
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
         if (mesh_[groups_[g].facets.front()].is_final) continue;
         const double boundary_length = perimeter(g);
-        if (2.0 * groups_[g].area > kNarrow * error_of(g) * boundary_length) continue;
+        if (2.0 * groups_[g].area > 0.5 * error_of(g) * boundary_length) continue;
         for (const auto& [n, shared] : neighbours(g)) {
-            if (shared < kLeastShare * boundary_length || !groups_[n].is_analytic) continue;
+            if (shared < 0.7 * boundary_length || !groups_[n].is_analytic) continue;
             if (mesh_[groups_[n].facets.front()].label != groups_[n].surface ||
                 groups_[n].area < groups_[g].area || !lies_on(g, n, 2.0, kAnyTurn))
                 continue;
@@ -350,12 +350,11 @@ bool Groups::insert_strips() {
 
 // Is what it goes around the flat end in the ring, and not a plane at the height of that?
 bool Groups::runs_around_torus(std::uint32_t h, const Torus& torus) const {
-    constexpr double kErrors = 3.0;
     const Vec3 from = mesh_.point(mesh_.edges()[h].from), to = mesh_.point(mesh_.to(h));
     const Vec3 middle = 0.5 * (from + to);
     return dot(cross(torus.axis, to - from), radial_vector(torus.centre, torus.axis, middle)) <
                0.0 &&
-           std::abs(distance(torus, middle)) <= kErrors * error_of(group_at(h));
+           std::abs(distance(torus, middle)) <= 3.0 * error_of(group_at(h));
 }
 
 // None of strips that were put in since groups were made.
@@ -436,7 +435,6 @@ bool Groups::absorb(std::uint32_t g, double errors, double most_turn) {
 // Planes that programs round apart meet anywhere, and what is between them has no width. Of two
 // that touch the smaller one goes on as the other: which one has?
 std::optional<std::uint32_t> Groups::merge_into_wall(std::uint32_t g) {
-    constexpr double kMostTurnOfOne = 1e-3;  // rad
     const auto is_wall = [&](std::uint32_t n) {
         return groups_[n].is_analytic && std::holds_alternative<Plane>(form_of(n)) &&
                mesh_[groups_[n].facets.front()].label == groups_[n].surface;
@@ -450,8 +448,7 @@ std::optional<std::uint32_t> Groups::merge_into_wall(std::uint32_t g) {
         return std::ranges::all_of(groups_[one].facets, [&](std::uint32_t i) {
             const Form& original = mesh_.surface(mesh_[i].plain).form;
             const Form& own = std::holds_alternative<Plane>(original) ? original : form_of(one);
-            return norm(std::get<Plane>(own).normal - std::get<Plane>(form).normal) <=
-                       kMostTurnOfOne &&
+            return norm(std::get<Plane>(own).normal - std::get<Plane>(form).normal) <= kLeastSine &&
                    std::ranges::all_of(mesh_.corners_of(i), [&](Vec3 p) {
                        return std::abs(distance(form, p) - distance(own, p)) <= kTangencyGapMm;
                    });
@@ -503,11 +500,10 @@ bool Groups::lies_on(std::uint32_t g, std::uint32_t n, double errors, double mos
 // moved the corners.
 std::vector<std::uint32_t> Groups::adjacent_analytic_groups(
     std::vector<std::uint32_t> groups) const {
-    constexpr int kFarthest = 3;
     for (int step = 0;; ++step) {
         std::vector<std::uint32_t> found = groups;
         std::erase_if(found, [&](std::uint32_t g) { return !groups_[g].is_analytic; });
-        if (!found.empty() || step == kFarthest) return found;
+        if (!found.empty() || step == 3) return found;
         for (const std::uint32_t g : std::vector(groups)) {
             for (const auto& [n, shared] : neighbours(g))
                 groups.push_back(n);

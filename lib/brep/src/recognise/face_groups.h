@@ -124,7 +124,4 @@ private:
 /// Of the tools that round off what is small, mm.
 inline constexpr double kLargeRadius = 5.0;
 
-/// Farther out than what a ball leaves at a bend may be what is there in its place, mm.
-inline constexpr double kLune = 5e-3;
-
 }  // namespace ncsim::brep

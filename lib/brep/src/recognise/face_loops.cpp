@@ -11,9 +11,6 @@ namespace ncsim::brep {
 
 namespace {
 
-// Ends of slits that are nearer than that are one, mm.
-constexpr double kSlit = 1e-7;
-
 Loop::iterator place(Loop& loop, std::size_t i) {
     return loop.begin() + static_cast<std::ptrdiff_t>(i);
 }
@@ -25,7 +22,7 @@ void drop_empty(std::vector<Loop>& loops) {
 bool lies_between(Vec3 p, Vec3 from, Vec3 to) {
     const Vec3 along = to - from;
     const double t = dot(p - from, along) / dot(along, along);
-    return t > 0.0 && t < 1.0 && norm(p - from - t * along) <= kSlit;
+    return t > 0.0 && t < 1.0 && norm(p - from - t * along) <= kReaderMm;
 }
 
 // Of the face beyond the longer one: it runs along that, and along the slit, one after the other.
@@ -181,7 +178,7 @@ bool FaceLoops::close_slit(std::uint32_t group, std::size_t loop) {
         const std::uint32_t one = opposite_group_of(forth), two = opposite_group_of(back);
         if (one == group || two == group || groups_.is_facet(one) || groups_.is_facet(two))
             continue;
-        const bool is_whole = norm(at(start) - at(end)) <= kSlit;
+        const bool is_whole = norm(at(start) - at(end)) <= kReaderMm;
         const bool is_longer = !is_whole && lies_between(at(end), at(start), at(far));
         const bool is_shorter = !is_whole && lies_between(at(start), at(far), at(end));
         if (!is_whole && !is_longer && !is_shorter) continue;

@@ -2,6 +2,7 @@
 #include "recognise/facet_mesh.h"
 
 #include "geometry/envelope_contact.h"
+#include "geometry/tolerances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,12 +54,11 @@ void FacetMesh::split_fans() {
 
 // What has no width may look anywhere, and folds what it is a piece of: it is of what it is beside.
 void FacetMesh::label_needles() {
-    constexpr double kNeedle = 1e-4;  // mm
     std::vector<double> perimeter(facets_.size(), 0.0);
     for (std::uint32_t h = 0; h < edges_.size(); ++h)
         perimeter[edges_[h].facet] += lengths_[h];
     const auto is_needle = [&](std::uint32_t i) {
-        return 2.0 * facets_[i].area < kNeedle * perimeter[i];
+        return 2.0 * facets_[i].area < kFlat * perimeter[i];
     };
     std::vector<double> longest(facets_.size(), 0.0);
     for (std::uint32_t h = 0; h < edges_.size(); ++h) {

@@ -44,17 +44,8 @@ namespace ncsim::brep {
 
 namespace {
 
-// So often with corners, with edges and with faces.
-constexpr int kLenientRounds = 8, kStrictRounds = 16, kMostRounds = 100;
-// Of so many facets a round takes long: there are fewer, and where corners alone have kept failing
-// in the first ones, strips are narrower than facets, and there would be no end to it.
-constexpr std::size_t kManyFacets = 20'000, kTooManyFacets = 200'000;
-constexpr int kMostRoundsOfMany = 40, kMostRoundsWithCorners = 8;
-constexpr double kNoWidth = 1e-3;  // mm
-// Labels and the first solution of a facet cost as much as this number of rounds.
-constexpr std::uint64_t kFirstRounds = 5;
-// With this number of times the allowed work, the shell consists of facets.
-constexpr std::uint64_t kMostOverrun = 2;
+// Rounds of corners, edges or faces in which failures are tolerated.
+constexpr int kLenientRounds = 8;
 
 class ShellRecogniser {
 public:
@@ -63,18 +54,21 @@ public:
         : mesh_(facets, sources, faces),
           apex_(mesh_.point(mesh_.edges().front().from)),
           most_work_(most_work),
-          work_(kFirstRounds * mesh_.size()),
+          work_(5 * mesh_.size()),  // Labels and the first solution cost as much as five rounds.
           face_checks_(apex_) {}
 
     // The shell as a part without solids; nothing if it cannot be had.
     std::optional<Part> operator()() {
-        if (mesh_.is_broken() || mesh_.size() > kTooManyFacets) return std::nullopt;
-        const bool are_many = mesh_.size() > kManyFacets;
-        for (int round = 0; round < (are_many ? kMostRoundsOfMany : kMostRounds); ++round) {
-            if (are_many && round == kMostRoundsWithCorners && spent_[kCorners] == round)
+        // A round over many facets takes long, so there are fewer rounds. If corners alone have
+        // failed in the first rounds, strips are narrower than facets, and more rounds do not help.
+        if (mesh_.is_broken() || mesh_.size() > 200'000) return std::nullopt;
+        const bool are_many = mesh_.size() > 20'000;
+        for (int round = 0; round < (are_many ? 40 : 100); ++round) {
+            if (are_many && round == kLenientRounds && spent_[kCorners] == round)
                 return std::nullopt;
             work_ += mesh_.size();
-            if (work_ / kMostOverrun > most_work_) return std::nullopt;
+            // With twice the allowed work, the shell consists of facets.
+            if (work_ / 2 > most_work_) return std::nullopt;
             failures_.clear();
             has_joined_ = false;
             if (!settle_groups()) return std::nullopt;
@@ -87,10 +81,10 @@ public:
             const int spent = spent_[stage]++;
             Part part;
             if (stage == kFaces) part = build();
-            const Strictness strictness = work_ > most_work_       ? Strictness::Full
-                                          : spent < kLenientRounds ? Strictness::Low
-                                          : spent < kStrictRounds  ? Strictness::High
-                                                                   : Strictness::Full;
+            const Strictness strictness = work_ > most_work_           ? Strictness::Full
+                                          : spent < kLenientRounds     ? Strictness::Low
+                                          : spent < 2 * kLenientRounds ? Strictness::High
+                                                                       : Strictness::Full;
             if (groups_.relabel(failures_, strictness) || has_joined_) continue;
             if (!failures_.empty() || !has_the_volume()) return std::nullopt;
             std::vector<bool> is_as_it_was = unmoved(part);
@@ -115,8 +109,7 @@ public:
 private:
     // Until nothing joins any more. False: there was no end to it.
     bool settle_groups() {
-        constexpr int kMostPasses = 1000;
-        for (int pass = 0; pass < kMostPasses; ++pass) {
+        for (int pass = 0; pass < 1000; ++pass) {
             groups_.gather();
             if (!groups_.unify() && !groups_.demote_neighbours_of_tori() &&
                 !groups_.insert_strips())
@@ -170,7 +163,7 @@ private:
             // Facets may be as thin as they are. Beside them readers make edges as wide as they are
             // off.
             const double width =
-                std::max(is_sickle(face) ? kTangencyGapMm : kNoWidth, neighbour_error(g));
+                std::max(is_sickle(face) ? kTangencyGapMm : kLeastSizeMm, neighbour_error(g));
             is_removed[g] = groups_[g].is_analytic &&
                             2.0 * std::abs(found.measure.area) <= width * found.measure.length;
             if (is_removed[g]) vanish(g, true);
@@ -238,7 +231,7 @@ private:
 
     // How near corners in one place are, mm.
     double near_on(std::uint32_t g) const {
-        return touching_.contains(groups_[g].surface) ? kTangencyGapMm : kPoint;
+        return touching_.contains(groups_[g].surface) ? kTangencyGapMm : kReaderMm;
     }
 
     // Edges of one corner that meet once more: the surfaces beside them do not touch there.
@@ -295,10 +288,10 @@ private:
                              const std::vector<bool>& is_as_it_was) {
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
             if (is_as_it_was[was[f]]) continue;
-            constexpr double kAnywhere = 1.0;  // mm; where they are is known
             double miss = 0.0;
+            // Where the edges of facets are is known; 1 mm checks nothing but the loops.
             if (part.faces[f].is_facet &&
-                (is_nonplanar(part, part.faces[f]) || !faults_of(part, f, kAnywhere, miss).empty()))
+                (is_nonplanar(part, part.faces[f]) || !faults_of(part, f, 1.0, miss).empty()))
                 failures_.push_back({{group_of_face_[was[f]]}});
         }
     }
@@ -319,13 +312,12 @@ private:
     // Where a dome ends between floor and wall, readers find edges of micrometres crossed on its
     // splines, and draw nothing.
     static bool has_tiny_corner(const Part& part, const Face& face) {
-        constexpr double kTiny = 2e-3;  // mm
         if (!std::holds_alternative<Dome>(face.surface.form)) return false;
         return std::ranges::any_of(face.loops, [&](const Loop& loop) {
             return std::ranges::any_of(loop, [&](const EdgeUse& use) {
                 const Edge& edge = part.edges[use.edge];
                 return edge.from != edge.to &&
-                       norm(part.vertices[edge.to] - part.vertices[edge.from]) < kTiny;
+                       norm(part.vertices[edge.to] - part.vertices[edge.from]) < 2.0 * kLeastSizeMm;
             });
         });
     }

@@ -3,6 +3,7 @@
 // Comparison of candidate surfaces with the faces of a boundary.
 #include "ncsim/brep/candidate_filter.h"
 
+#include "geometry/tolerances.h"
 #include "sources/label.h"
 
 #include <algorithm>
@@ -29,10 +30,9 @@ CandidateFilter::CandidateFilter(const cda::Boundary& boundary)
 
 std::vector<bool> CandidateFilter::fitting(cda::Origin origin, const SweptSurfaces& source,
                                            double times) const {
-    // The largest slack of best_of(), and twice that for the shading of coarse hulls.
-    constexpr double kSlack = 6.0;
-    constexpr double kMostTurn = 1.0;
-    const double most = times * (kSlack * source.error_mm + kFlat);
+    // The largest slack of best_of(), and twice that for the shading of coarse hulls. A normal that
+    // is off by a chord of 1, 60°, does not fit.
+    const double most = times * (6.0 * source.error_mm + kFlat);
     std::vector<bool> result(source.candidates.size(), false);
     const std::span<const Vec3> points(boundary_.vertices);
     for (const std::uint32_t f : by_origin_.of(origin)) {
@@ -40,8 +40,7 @@ std::vector<bool> CandidateFilter::fitting(cda::Origin origin, const SweptSurfac
         FlatFace flat{face.normal, {}, face.loops, points};
         area_of(face.loops, points, face.normal, flat.centroid);
         for (std::size_t i = 0; i < result.size(); ++i)
-            result[i] =
-                result[i] || fits(flat, source.candidates[i].surface, most, times * kMostTurn);
+            result[i] = result[i] || fits(flat, source.candidates[i].surface, most, times);
     }
     return result;
 }

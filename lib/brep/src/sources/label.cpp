@@ -16,18 +16,9 @@ namespace ncsim::brep {
 
 namespace {
 
-// Largest deviation of equal planes, as a chord.
-constexpr double kLevel = 1e-6;
-// Largest sine between a facet of an upright side and the axis.
-constexpr double kUpright = 1e-6;
-// Corners of adjacent hulls may lie farther out than corners of the tool's polygon.
-constexpr double kSlack = 1.5;
-// Coils: corners next to walls lie both beyond the wall and below the floor.
-constexpr double kSlackOfCoils = 2.0;
-// Flanks: the hull of two poses of a turning tool adds about as much as the tool's polygon is off.
-constexpr double kSlackOfFlanks = 3.0;
-// Peaks: facets continue beyond the tip by the width of a polygon's side.
-constexpr double kSlackOfPeaks = 3.0;
+// Errors up to which facets belong to a peak: they continue beyond the tip by the width of a
+// polygon's side.
+constexpr double kPeakSlack = 3.0;
 
 // Returns the deviation of the face's normal from the surface, as a mean over the corners.
 double turn_at_corners(const FlatFace& face, const Surface& surface) {
@@ -80,7 +71,7 @@ double blunt_of(const FlatFace& face, const Cone& cone, double most) {
         for (const std::uint32_t v : loop)
             widest = std::max(widest, norm(radial_vector(cone.apex, cone.axis, face.points[v])));
     }
-    return 0.5 * std::sqrt(8.0 * widest * most / kSlackOfPeaks);
+    return 0.5 * std::sqrt(8.0 * widest * most / kPeakSlack);
 }
 
 // Returns how far `p` is beyond the end of an envelope's path, mm; infinity where the tool pivots
@@ -163,18 +154,17 @@ const CandidateSurface* best_of(const FlatFace& face, std::span<const CandidateS
     // A facet on a plane of the tool belongs to the plane, because ramps may be flatter than
     // errors. Surfaces along which the tool moved are preferred to those at rest, except beyond the
     // ends of paths.
-    constexpr double kExact = -1.0, kAtRest = 0.05, kBeyond = 0.1, kNoLess = 1e-9;
     const CandidateSurface* chosen = nullptr;
     const auto take = [&](const CandidateSurface& candidate, double score) {
-        if (candidate.is_at_rest) score += kAtRest;
-        if (score >= best - kNoLess) return;
+        if (candidate.is_at_rest) score += 0.05;
+        if (score >= best - kRounding) return;
         best = score;
         chosen = &candidate;
     };
     for (const CandidateSurface& candidate : candidates) {
         if (std::holds_alternative<Plane>(candidate.surface.form) &&
-            fits(face, candidate.surface, kFlat, kLevel))
-            take(candidate, kExact);
+            fits(face, candidate.surface, kFlat, 0.1 * kParallelAngle))
+            take(candidate, -1.0);
     }
     if (chosen) return chosen;
     // The score is at least the deviation of the normal, so larger deviations are not examined.
@@ -192,19 +182,23 @@ const CandidateSurface* best_of(const FlatFace& face, std::span<const CandidateS
                                    distance((*candidate.ends)[1], face.centroid) >= 0.0))
                 continue;
             if (candidate.below_side &&
-                std::abs(dot(*candidate.below_side, face.normal)) <= kUpright)
+                std::abs(dot(*candidate.below_side, face.normal)) <= 0.1 * kParallelAngle)
                 continue;
             double score = 0.0;
-            const double slack = is_coil                                      ? kSlackOfCoils
-                                 : is_flank(form)                             ? kSlackOfFlanks
-                                 : is_at_peak(face, candidate.surface, error) ? kSlackOfPeaks
-                                                                              : kSlack;
+            // Corners of adjacent hulls may lie farther out than corners of the tool's polygon.
+            // Coils: corners next to walls lie both beyond the wall and below the floor. Flanks:
+            // the hull of two poses of a turning tool adds about as much as the tool's polygon is
+            // off.
+            const double slack = is_coil                                      ? 2.0
+                                 : is_flank(form)                             ? 3.0
+                                 : is_at_peak(face, candidate.surface, error) ? kPeakSlack
+                                                                              : 1.5;
             if (!fits(face, candidate.surface, slack * error, std::min(most_turn, best), &score))
                 continue;
             const double beyond = is_moved ? beyond_end(form, face.centroid) : 0.0;
             if (beyond > farthest_beyond(form, error)) continue;
             const bool is_before = beyond > 0.0 && is_of_turning_tool(form);
-            take(candidate, is_before ? score + kBeyond : score);
+            take(candidate, is_before ? score + 0.1 : score);
         }
     }
     return chosen;

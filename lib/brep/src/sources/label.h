@@ -13,9 +13,6 @@
 
 namespace ncsim::brep {
 
-/// Distance within which planes of a simplified boundary meet, mm.
-inline constexpr double kFlat = 1e-4;
-
 /// Planar face whose corners are the `points` with the indices in `loops`.
 struct FlatFace {
     Vec3 normal, centroid;  ///< Unit; centroid of the area.

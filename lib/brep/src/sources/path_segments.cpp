@@ -7,6 +7,8 @@
 #include "ncsim/toolpath/spline_arcs.h"
 #include "ncsim/toolpath/tool_pose.h"
 
+#include "geometry/tolerances.h"
+
 #include <cmath>
 #include <cstddef>
 
@@ -16,11 +18,6 @@ namespace {
 
 using gcode::Position;
 using toolpath::Pose;
-
-// Rounding error of a value that is meant to be 0 or 1.
-constexpr double kUnit = 1e-9;
-// Largest difference between the radii of an arc's ends that counts as rounding in the program, mm.
-constexpr double kMostSpiral = 4e-3;
 
 // True if no rotary axis moves and U, V and W are 0.
 bool is_plain(const Position& from, const Position& to) {
@@ -46,8 +43,8 @@ std::optional<Pose> frame_of(const toolpath::Poses& poses, Position p) {
     for (std::size_t i = 0; i < 3; ++i) {
         const int axis = static_cast<int>(i);
         X_WP.rows[i] = {columns[0][axis], columns[1][axis], columns[2][axis]};
-        if (std::abs(norm(columns[i]) - 1.0) > kUnit ||
-            std::abs(dot(columns[i], columns[(i + 1) % 3])) > kUnit)
+        if (std::abs(norm(columns[i]) - 1.0) > kRounding ||
+            std::abs(dot(columns[i], columns[(i + 1) % 3])) > kRounding)
             return std::nullopt;
     }
     return X_WP;
@@ -95,13 +92,13 @@ std::optional<ArcPath> arc_path(const gcode::Arc& arc) {
     chord[third] = 0.0;
     // The centre moves along the chord. Programs round ends and centre, and a height error of a
     // micrometre where the path is level is a large error to the side.
-    if (const double square = dot(chord, chord); square > kUnit) {
+    if (const double square = dot(chord, chord); square > kRounding) {
         const Vec3 middle = 0.5 * (from + to);
         path.fitted = path.centre - (dot(path.centre - middle, chord) / square) * chord;
     }
     path.fitted_radius =
         0.5 * (norm_across(from, path.fitted, third) + norm_across(to, path.fitted, third));
-    path.is_level = std::abs(from[third] - to[third]) <= kUnit;
+    path.is_level = std::abs(from[third] - to[third]) <= kRounding;
     const auto level = [&](Vec3 p) {
         Vec3 v = p - path.centre;
         v[third] = 0.0;
@@ -110,22 +107,21 @@ std::optional<ArcPath> arc_path(const gcode::Arc& arc) {
     path.ahead = level(from);
     const Vec3 end = level(to);
     double swept = angle_of(dot(end, path.ahead), dot(end, cross(path.about, path.ahead)));
-    constexpr double kNoAngle = 1e-7, kTurn = 360.0;
     const bool is_left = arc.turns > 0;
-    if (is_left && swept <= kNoAngle) swept += kTurn;
-    if (!is_left && swept >= -kNoAngle) swept -= kTurn;
-    swept += kTurn * static_cast<double>(is_left ? arc.turns - 1 : arc.turns + 1);
+    if (is_left && swept <= 100.0 * kRounding) swept += kTurnDegrees;
+    if (!is_left && swept >= -100.0 * kRounding) swept -= kTurnDegrees;
+    swept += kTurnDegrees * static_cast<double>(is_left ? arc.turns - 1 : arc.turns + 1);
     path.swept = swept * kRadiansPerDegree;
     path.rise = (to[third] - from[third]) / path.swept;
     path.start = path.radius;
     const double growth = radius(to) - radius(from);
-    if (std::abs(growth) <= kMostSpiral) return path;
-    constexpr double kMostGrowth = 0.2;
+    // The radii of both ends differ by rounding in the program: both ends and the centre.
+    if (std::abs(growth) <= 4.0 * kLeastSizeMm) return path;
     const double lead = growth / (swept * kRadiansPerDegree);
-    if (std::abs(swept) > kTurn || std::abs(lead) > kMostGrowth * path.radius) return std::nullopt;
+    if (std::abs(swept) > kTurnDegrees || std::abs(lead) > 0.2 * path.radius) return std::nullopt;
     path.start = radius(from);
     path.growth = lead;
-    path.left = 0.5 * (kTurn - std::abs(swept)) * kRadiansPerDegree;
+    path.left = 0.5 * (kTurnDegrees - std::abs(swept)) * kRadiansPerDegree;
     const auto middle = sin_cos(0.5 * swept);
     const Vec3 ahead = middle.cos * path.ahead + middle.sin * cross(path.about, path.ahead);
     path.spiral = Spiral{path.centre, path.about, normalized(ahead), path.radius, lead, 0.0};
@@ -210,10 +206,6 @@ std::vector<SplinePath> spline_paths(const gcode::Spline& spline, const toolpath
 }
 
 std::vector<RotaryPath> rotary_paths(const gcode::Motion& motion, const toolpath::Poses& poses) {
-    constexpr int kMostPieces = 360;
-    // Degrees. Planes at the ends of a piece separate its sides. Beyond three quarters of a turn, a
-    // path that is continued at its ends meets itself.
-    constexpr double kPiece = 120.0, kMostOfOne = 270.0;
     const auto* line = std::get_if<gcode::Linear>(&motion.action);
     if (!line) return {};
     const auto in_pieces = [&](int pieces) {
@@ -232,20 +224,21 @@ std::vector<RotaryPath> rotary_paths(const gcode::Motion& motion, const toolpath
     double largest = 0.0;
     for (const auto& [a, b] : {std::pair(from.a, to.a), {from.b, to.b}, {from.c, to.c}})
         largest = std::max(largest, std::abs(b.degrees() - a.degrees()));
-    const double pieces = largest <= kMostOfOne ? 1.0 : std::ceil(largest / kPiece);
-    if (pieces > kMostPieces) return {};
+    // Planes at the ends of a piece separate its sides. Beyond three quarters of a turn, a path
+    // that is continued at its ends meets itself. 120 turns are too many surfaces.
+    const double pieces = largest <= 270.0 ? 1.0 : std::ceil(largest / 120.0);
+    if (pieces > 360) return {};
     return in_pieces(static_cast<int>(pieces));
 }
 
 std::array<Plane, 2> ends_of(const std::vector<RotaryPath>& paths, std::size_t i) {
     // Before the first and after the last piece, the surface goes on by what the tool is wide.
-    constexpr double kBeyond = 0.9 * kPathExtension;
     const auto plane_at = [&](double t) {
         const ToolFrame frame = tool_frame(paths[i], t);
         return Plane{frame.tip, normalized(norm(frame.speed) > 0.0 ? frame.speed : frame.turn)};
     };
-    return {plane_at(i == 0 ? -kBeyond : 0.0),
-            plane_at(i + 1 == paths.size() ? 1.0 + kBeyond : 1.0)};
+    return {plane_at(i == 0 ? -0.9 * kPathExtension : 0.0),
+            plane_at(i + 1 == paths.size() ? 1.0 + 0.9 * kPathExtension : 1.0)};
 }
 
 }  // namespace ncsim::brep

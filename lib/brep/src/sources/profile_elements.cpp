@@ -5,6 +5,8 @@
 
 #include "ncsim/base/vec2.h"
 
+#include "geometry/tolerances.h"
+
 #include <cmath>
 #include <cstddef>
 
@@ -12,14 +14,11 @@ namespace ncsim::brep {
 
 namespace {
 
-// Lengths below this are rounding errors, mm.
-constexpr double kNoLength = 1e-9;
-
 // Points of the profile: x is the radius, y the height.
 Vec2 direction(Vec2 from, Vec2 to) {
     const Vec2 d = to - from;
     const double length = norm(d);
-    return length > kNoLength ? Vec2{d.x / length, d.y / length} : Vec2{};
+    return length > kRounding ? Vec2{d.x / length, d.y / length} : Vec2{};
 }
 
 }  // namespace
@@ -35,7 +34,7 @@ std::vector<ProfileElement> elements_of(const toolpath::ToolPiece& piece) {
     std::vector<ProfileElement> elements;
     Vec2 at = corners.front();  // End of the last element.
     const auto straight_to = [&](Vec2 end) {
-        if (std::abs(end.x - at.x) > kNoLength || std::abs(end.y - at.y) > kNoLength)
+        if (std::abs(end.x - at.x) > kRounding || std::abs(end.y - at.y) > kRounding)
             elements.push_back({at.x, at.y, end.x, end.y});
         at = end;
     };

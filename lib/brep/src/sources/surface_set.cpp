@@ -3,16 +3,13 @@
 // Lookup of equal surfaces by a scalar key.
 #include "sources/surface_set.h"
 
+#include "geometry/tolerances.h"
+
 #include <cmath>
 
 namespace ncsim::brep {
 
 namespace {
-
-constexpr double kSameMm = 2e-5;
-// Largest difference between the keys of equal surfaces. A key is a sum of a few lengths that
-// differ by up to kSameMm, times factors of at most 1, for parts of up to a metre.
-constexpr double kKeyRange = 20 * kSameMm;
 
 // Direction without symmetry.
 constexpr Vec3 kAskew{0.4837, 0.6291, 0.6087};
@@ -71,9 +68,12 @@ struct Key {
 
 std::uint32_t SurfaceSet::add(const Surface& surface) {
     const double key = std::visit(Key{}, surface.form);
-    const auto end = by_key_.upper_bound(key + kKeyRange);
-    for (auto at = by_key_.lower_bound(key - kKeyRange); at != end; ++at) {
-        if (is_same(surfaces_[at->second], surface, kSameMm)) return at->second;
+    // A key is a sum of a few lengths that differ by up to 20 times the error of points if the
+    // surfaces are equal, times factors of at most 1, for parts of up to a metre.
+    const double range = 400.0 * kPointError;
+    const auto end = by_key_.upper_bound(key + range);
+    for (auto at = by_key_.lower_bound(key - range); at != end; ++at) {
+        if (is_same(surfaces_[at->second], surface, 20.0 * kPointError)) return at->second;
     }
     const std::uint32_t number = add_alone(surface);
     by_key_.emplace(key, number);

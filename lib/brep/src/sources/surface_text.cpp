@@ -6,6 +6,8 @@
 
 #include "ncsim/base/number_text.h"
 
+#include "geometry/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -166,19 +168,14 @@ class Reader {
 public:
     explicit Reader(std::string_view text) : rest_(text) {}
 
-    void point(Vec3& p) {
-        vector(p);
-        is_good = is_good && is_in_reach(p);
-    }
+    void point(Vec3& p) { vector(p); }
     void direction(Vec3& d) {
-        constexpr double kUnitError = 1e-6;
         vector(d);
-        is_good = is_good && std::abs(norm(d) - 1.0) <= kUnitError;
+        is_good = is_good && std::abs(norm(d) - 1.0) <= kPointError;
     }
     void perpendicular(Vec3& d, Vec3 axis) {
-        constexpr double kRight = 1e-6;
         direction(d);
-        is_good = is_good && std::abs(dot(d, axis)) <= kRight;
+        is_good = is_good && std::abs(dot(d, axis)) <= kPointError;
     }
     void vector(Vec3& p) {
         number(p.x);
@@ -187,7 +184,7 @@ public:
     }
     void oblique(Vec3& d, Vec3 axis) {
         direction(d);
-        is_good = is_good && dot(d, axis) >= kLeast;
+        is_good = is_good && dot(d, axis) >= kRounding;
     }
     void length(double& x) {
         number(x);
@@ -195,17 +192,18 @@ public:
     }
     void nonzero(double& x) {
         number(x);
-        is_good = is_good && std::abs(x) >= kLeast;
+        is_good = is_good && std::abs(x) >= kRounding;
     }
     void cosine_and_sine(double& cosine, double& sine) {
         number(cosine);
         number(sine);
-        is_good = is_good && std::abs(cosine * cosine + sine * sine - 1.0) <= kLeast &&
-                  std::abs(cosine) >= kLeast;
+        is_good = is_good && std::abs(cosine * cosine + sine * sine - 1.0) <= kRounding &&
+                  std::abs(cosine) >= kRounding;
     }
     void number(double& x) {
         any_number(x);
-        is_good = is_good && std::abs(x) <= kReach;
+        // Ten times the range of the lattice.
+        is_good = is_good && std::abs(x) <= 1000.0 * kPartMm;
     }
     // Bounds of boxes may be infinite.
     void any_number(double& x) {
@@ -213,10 +211,9 @@ public:
         is_good = is_good && !std::isnan(x);
     }
     void count(std::vector<std::array<double, 6>>& powers) {
-        constexpr double kMostPowers = 64.0;
         double size = 0.0;
         number(size);
-        is_good = is_good && size >= 1.0 && size <= kMostPowers && size == std::floor(size);
+        is_good = is_good && size >= 1.0 && size <= 64.0 && size == std::floor(size);
         if (is_good) powers.resize(static_cast<std::size_t>(size));
     }
     std::string_view word() {
@@ -230,14 +227,6 @@ public:
     bool is_good = true;
 
 private:
-    // Ten times the range of the lattice, mm.
-    static constexpr double kReach = 1e5;
-    static constexpr double kLeast = 1e-9;
-
-    static bool is_in_reach(Vec3 p) {
-        return std::abs(p.x) <= kReach && std::abs(p.y) <= kReach && std::abs(p.z) <= kReach;
-    }
-
     std::string_view rest_;
 };
 
@@ -309,15 +298,13 @@ std::optional<Form> read_envelope(Reader& reader) {
     if (!emplace_by_name(path, reader.word(), kPaths)) return std::nullopt;
     std::visit([&](auto& p) { visit_fields(p, reader); }, path);
     // Envelopes of helices cover 0.7 turns at most.
-    constexpr double kMostSwept = 5.0;
     const auto* helix = std::get_if<HelixPath>(&path);
     // On other paths, flanks leave planes, cylinders and cones, and balls leave cylinders.
     const auto* fillet = std::get_if<Fillet>(&meridian);
     const bool is_other =
         fillet ? fillet->centre_radius <= 0.0 && std::holds_alternative<StraightPath>(path)
                : !std::holds_alternative<RotaryPath>(path);
-    if (!reader.is_good || is_other || (helix && std::abs(helix->swept) > kMostSwept))
-        return std::nullopt;
+    if (!reader.is_good || is_other || (helix && std::abs(helix->swept) > 5.0)) return std::nullopt;
     auto sweep = std::make_shared<const Sweep>(meridian, path);
     if (!has_across(*sweep)) return std::nullopt;
     return Envelope{std::move(sweep)};

@@ -27,10 +27,6 @@ namespace {
 using gcode::Position;
 using toolpath::Pose;
 
-// Lengths below this are rounding errors, mm.
-constexpr double kEqual = 1e-9;
-// Least rise of a line per mm at which readers find points on the extruded circle.
-constexpr double kFlattest = 1e-3;
 // Largest distance of facets from the surface that a rim sweeps, mm.
 constexpr double kRimMargin = 0.5;
 
@@ -50,21 +46,20 @@ HelixPath piece_of(const HelixPath& path, int i, int pieces) {
 // Returns the least and the greatest height above the centre, along `axis`, that an arc passes on
 // the side of the centre to which `side` points, mm; no value if the arc does not pass there.
 std::optional<std::array<double, 2>> heights_passed(const ArcPath& path, Vec3 axis, Vec3 side) {
-    constexpr double kTurn = 360.0, kQuarter = 90.0;
     const Vec3 on =
         path.swept < 0.0 ? cross(path.ahead, path.about) : cross(path.about, path.ahead);
     const double swept = std::abs(path.swept) / kRadiansPerDegree;
     // Returns the angle from the start, along the arc, at which the arc passes `direction`.
     const auto angle_at = [&](Vec3 direction) {
         const double angle = angle_of(dot(direction, path.ahead), dot(direction, on));
-        return angle < 0.0 ? angle + kTurn : angle;
+        return angle < 0.0 ? angle + kTurnDegrees : angle;
     };
     const double enters = angle_at(-axis), leaves = angle_at(axis);
     std::optional<std::array<double, 2>> heights;
     const auto take = [&](double degrees) {
         const auto angle = sin_cos(degrees);
         const Vec3 out = angle.cos * path.ahead + angle.sin * on;
-        if (dot(out, side) < -kEqual) return;
+        if (dot(out, side) < -kRounding) return;
         const double height = path.fitted_radius * dot(out, axis);
         if (!heights) heights = {height, height};
         (*heights)[0] = std::min((*heights)[0], height);
@@ -74,7 +69,8 @@ std::optional<std::array<double, 2>> heights_passed(const ArcPath& path, Vec3 ax
         if (degrees <= swept) take(degrees);
     }
     // The arc is on the opposite side except for the point in which it crosses the axis.
-    if (heights && (*heights)[1] - (*heights)[0] <= kEqual && swept > kEqual * kQuarter)
+    if (heights && (*heights)[1] - (*heights)[0] <= kRounding &&
+        swept > kRounding * kQuarterTurnDegrees)
         return std::nullopt;
     return heights;
 }
@@ -108,9 +104,9 @@ public:
         const Vec3 at = tip + e.height * axis;
         if (e.fillet > 0.0) {
             tube(at, axis, e.radius, e.fillet);
-        } else if (std::abs(e.rise()) <= kEqual) {
+        } else if (std::abs(e.rise()) <= kRounding) {
             disc(e, at, axis);
-        } else if (std::abs(e.widening()) <= kEqual) {
+        } else if (std::abs(e.widening()) <= kRounding) {
             add(Cylinder{at, axis, e.radius});
         } else {
             cone(at, axis, e.radius, e.widening() / e.rise());
@@ -119,15 +115,15 @@ public:
 
     void line(const ProfileElement& e, Vec3 tip, Vec3 axis, Vec3 d) {
         const double along = dot(d, axis);
-        const bool is_level = std::abs(along) <= kEqual;
+        const bool is_level = std::abs(along) <= kRounding;
         const Vec3 at = tip + e.height * axis;
         const Vec3 side = normalized(cross(axis, d));
-        if (norm(cross(axis, d)) <= kEqual) {
+        if (norm(cross(axis, d)) <= kRounding) {
             // Along the axis, the element leaves the same surface as at rest, without the end that
             // is left last.
             rest(e, tip, axis);
         } else if (e.fillet > 0.0) {
-            if (e.radius <= kEqual) {
+            if (e.radius <= kRounding) {
                 add(Cylinder{at, d, e.fillet});
             } else if (is_level) {
                 for (const double sign : {-1.0, 1.0})
@@ -135,7 +131,7 @@ public:
             } else {
                 envelope(e, StraightPath{tip, d, axis});
             }
-        } else if (std::abs(e.rise()) <= kEqual) {
+        } else if (std::abs(e.rise()) <= kRounding) {
             if (is_level) disc(e, at, axis);
         } else {
             slopes(e, at, axis, side, d);
@@ -145,7 +141,8 @@ public:
     // Adds the surface of the lower corner of an element on a line oblique to the axis.
     void rim(const ProfileElement& e, Vec3 tip, Vec3 axis, Vec3 d) {
         const double along = dot(d, axis);
-        if (e.radius <= kEqual || std::abs(along) <= kFlattest || norm(cross(axis, d)) <= kEqual)
+        if (e.radius <= kRounding || std::abs(along) <= kLeastSine ||
+            norm(cross(axis, d)) <= kRounding)
             return;
         add(Extrusion{tip + e.height * axis, axis, along > 0.0 ? d : -d, e.radius});
     }
@@ -157,12 +154,13 @@ public:
         if (e.fillet > 0.0) {
             if (!is_level) return envelope(e, path);
             tube(at, axis, reach + e.radius, e.fillet);
-            if (e.radius > kEqual && reach > e.radius) tube(at, axis, reach - e.radius, e.fillet);
-        } else if (std::abs(e.rise()) <= kEqual) {
+            if (e.radius > kRounding && reach > e.radius)
+                tube(at, axis, reach - e.radius, e.fillet);
+        } else if (std::abs(e.rise()) <= kRounding) {
             if (is_level) disc(e, at, axis);
-        } else if (std::abs(e.widening()) <= kEqual) {
+        } else if (std::abs(e.widening()) <= kRounding) {
             add(Cylinder{at, axis, reach + e.radius});
-            if (reach > e.radius + kEqual) {
+            if (reach > e.radius + kRounding) {
                 add(Cylinder{at, axis, reach - e.radius}, false);
                 if (!is_level) add_plunge_chords(reach, e.radius);
             }
@@ -178,16 +176,16 @@ public:
     // Adds the surfaces of a straight element on a path on which the tool turns.
     void flank(const ProfileElement& e, const RotaryPath& path) {
         const double length = std::sqrt(e.rise() * e.rise() + e.widening() * e.widening());
-        if (e.rise() <= kEqual) {
+        if (e.rise() <= kRounding) {
             // The element that closes the profile above cuts no material.
             const Fillet edge{e.end_radius, e.end_height, 0.0};
             const bool is_unknown =
-                e.widening() > 0.0 ? !has_across(Sweep(edge, path)) : e.rise() < -kEqual;
+                e.widening() > 0.0 ? !has_across(Sweep(edge, path)) : e.rise() < -kRounding;
             if (is_unknown) note_unlisted_surfaces();
             return;
         }
         // On both sides of the path of a tip, the surface would have an edge.
-        if (e.radius <= kEqual) return note_unlisted_surfaces();
+        if (e.radius <= kRounding) return note_unlisted_surfaces();
         auto sweep = std::make_shared<Sweep>(
             Flank{e.radius, e.height, e.rise() / length, -e.widening() / length, length}, path);
         if (!has_across(*sweep)) return note_unlisted_surfaces();
@@ -202,16 +200,14 @@ public:
         const auto* turning = std::get_if<RotaryPath>(&path);
         if (turning && e.fillet <= 0.0) return flank(e, *turning);
         if (e.fillet <= 0.0) return note_unlisted_surfaces();
-        constexpr double kTurn = 2.0 * std::numbers::pi, kNearlyBack = 0.7;
         const auto* round = std::get_if<HelixPath>(&path);
-        const double turns = round ? std::abs(round->swept) / kTurn : 0.0;
-        const int pieces = turns > kNearlyBack ? static_cast<int>(std::ceil(2.0 * turns)) : 1;
+        const double turns = round ? std::abs(round->swept) / (2.0 * std::numbers::pi) : 0.0;
+        const int pieces = turns > 0.7 ? static_cast<int>(std::ceil(2.0 * turns)) : 1;
         // On many turns, the flank usually leaves the surface between the ends, and each envelope
         // costs time.
-        constexpr int kEnds = 4;
-        if (pieces > 2 * kEnds) note_unlisted_surfaces();
+        if (pieces > 8) note_unlisted_surfaces();
         for (int i = 0; i < pieces; ++i) {
-            if (i >= kEnds && i < pieces - kEnds) continue;
+            if (i >= 4 && i < pieces - 4) continue;
             const ToolPath piece = round ? ToolPath(piece_of(*round, i, pieces)) : path;
             auto sweep = std::make_shared<Sweep>(Fillet{e.radius, e.height, e.fillet}, piece);
             if (!has_across(*sweep)) return note_unlisted_surfaces();
@@ -221,7 +217,7 @@ public:
 
     // Adds the envelope of the corner at the start of a flank, on a path on which the tool turns.
     void rim(const ProfileElement& e, const RotaryPath& path) {
-        if (e.radius <= kEqual || e.rise() <= kEqual) return;
+        if (e.radius <= kRounding || e.rise() <= kRounding) return;
         auto sweep = std::make_shared<Sweep>(Fillet{e.radius, e.height, 0.0}, path);
         if (!has_across(*sweep)) return note_unlisted_surfaces();
         add(Envelope{std::move(sweep)});
@@ -234,23 +230,20 @@ public:
     // ends.
     static bool is_touched(double end_radius, double radius, double slide, double off,
                            bool is_spiral) {
-        constexpr double kMostHigher = 2e-3;  // mm; less than programs round
-        if (std::abs(off) >= end_radius || radius <= end_radius * kFlattest) return false;
-        if (slide <= kEqual) return true;
+        if (std::abs(off) >= end_radius || radius <= end_radius * kLeastSine) return false;
+        if (slide <= kRounding) return true;
         const double half = std::sqrt(end_radius * end_radius - off * off);
         if (is_spiral && std::numbers::pi * slide <= half) return true;
         const double angle =
             (end_radius * std::sqrt(1.0 + slide * slide / (radius * radius)) - half) / slide;
-        return 0.5 * radius * angle * angle <= kMostHigher;
+        return 0.5 * radius * angle * angle <= 2.0 * kLeastSizeMm;
     }
 
     // Adds the cylinder that a flat end leaves if it turns about a fixed line at a fixed distance:
     // the floor of a groove around a bar. The plane of the end with normal n(φ) is tangent to the
     // cylinder if n·p(φ) = n·o + radius for a point o of the line.
     void floor_around(const ProfileElement& e, const RotaryPath& path, bool is_spiral) {
-        if (std::abs(e.rise()) > kEqual || e.widening() <= 0.0) return;
-        constexpr double kOff = 1e-6;        // mm; path and solution are as accurate
-        constexpr double kLeastTurn = 1e-4;  // of the determinant, about 3 degrees
+        if (std::abs(e.rise()) > kRounding || e.widening() <= 0.0) return;
         const ToolFrame start = tool_frame(path, 0.0);
         const Vec3 about = normalized(cross(start.axis, start.turn));
         const Vec3 ahead = cross(about, start.axis);
@@ -264,7 +257,7 @@ public:
         };
         const Level a = level_at(0.0), b = level_at(0.5), c = level_at(1.0);
         const double determinant = (b.cosine - 1.0) * c.sine - (c.cosine - 1.0) * b.sine;
-        if (std::abs(determinant) <= kLeastTurn) return;
+        if (std::abs(determinant) <= 1e-4) return;  // about 3 degrees
         const double u =
             ((b.height - a.height) * c.sine - (c.height - a.height) * b.sine) / determinant;
         const double w =
@@ -274,8 +267,9 @@ public:
         for (const double t : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0}) {
             const Level at = level_at(t);
             const bool is_upright =
-                std::abs(dot(tool_frame(path, t).axis, about)) * std::abs(radius) <= kOff;
-            if (!is_upright || std::abs(u * at.cosine + w * at.sine + radius - at.height) > kOff)
+                std::abs(dot(tool_frame(path, t).axis, about)) * std::abs(radius) <= kPointError;
+            if (!is_upright ||
+                std::abs(u * at.cosine + w * at.sine + radius - at.height) > kPointError)
                 return;
         }
         const Vec3 centre = u * start.axis + w * ahead;
@@ -284,8 +278,7 @@ public:
         if (!is_touched(e.end_radius, std::abs(radius), slide, off, is_spiral)) return;
         add(Cylinder{centre, about, std::abs(radius)}, radius < 0.0);
         // Hulls of tools that turn may gain as many tolerances (toolpath::SamplingOptions).
-        constexpr double kGain = 10.0;
-        chords_ = std::max(chords_, kGain);
+        chords_ = std::max(chords_, 10.0);
     }
 
     // Adds the torus of a ball that turns about a fixed line at a fixed distance, without moving
@@ -293,7 +286,6 @@ public:
     // line. Returns false on any other path.
     bool ring_around(const ProfileElement& e, const RotaryPath& path) {
         if (e.fillet <= 0.0) return false;
-        constexpr double kOff = 1e-6;  // mm; path and solution are as accurate
         const auto ball_at = [&](double t) {
             const ToolFrame at = tool_frame(path, t);
             return at.tip + e.height * at.axis;
@@ -302,7 +294,6 @@ public:
         const Vec3 start = ball_at(0.0), one = ball_at(0.5) - start, two = ball_at(1.0) - start;
         const Vec3 normal = cross(one, two);
         const double square = dot(normal, normal);
-        constexpr double kLeastSine = 1e-3;
         if (square <= kLeastSine * kLeastSine * dot(one, one) * dot(two, two)) return false;
         const Vec3 to_centre =
             (0.5 / square) * cross(dot(one, one) * two - dot(two, two) * one, normal);
@@ -310,14 +301,15 @@ public:
         const double radius = norm(to_centre);
         for (const double t : {0.125, 0.25, 0.375, 0.625, 0.75, 0.875}) {
             const Vec3 v = ball_at(t) - centre;
-            if (std::abs(norm(v) - radius) > kOff || std::abs(dot(v, about)) > kOff) return false;
+            if (std::abs(norm(v) - radius) > kPointError || std::abs(dot(v, about)) > kPointError)
+                return false;
         }
-        if (e.radius <= kEqual) {
+        if (e.radius <= kRounding) {
             tube(centre, about, radius, e.fillet);
             return true;
         }
         const Vec3 axis = tool_frame(path, 0.0).axis;
-        if (norm(start - radius * axis - centre) > kOff) return false;
+        if (norm(start - radius * axis - centre) > kPointError) return false;
         for (const double sign : {-1.0, 1.0})
             tube(centre + (sign * e.radius) * about, about, radius, e.fillet);
         return true;
@@ -327,28 +319,27 @@ public:
     // missing to a full turn, radians.
     void spiral(const ProfileElement& e, const Spiral& path, double left, Vec3 axis,
                 bool is_level) {
-        if (std::abs(e.rise()) <= kEqual) {
+        if (std::abs(e.rise()) <= kRounding) {
             if (is_level) disc(e, path.centre + e.height * axis, axis);
-        } else if (std::abs(e.widening()) > kEqual) {
+        } else if (std::abs(e.widening()) > kRounding) {
             note_unlisted_surfaces();
         } else {
             const double least = path.reach - std::numbers::pi * std::abs(path.lead);
             // If the ends are close, a point next to the first end is also next to the second.
-            constexpr double kFew = 5.0 * kRadiansPerDegree;
-            if (left < kFew && left * least < 2.0 * e.radius) return note_unlisted_surfaces();
+            if (left < 5.0 * kRadiansPerDegree && left * least < 2.0 * e.radius)
+                return note_unlisted_surfaces();
             Spiral wall = path;
             wall.offset = e.radius;
             add(wall);
             wall.offset = -e.radius;
             // Nearer to the centre, the wall has a cusp.
-            constexpr double kLeastBend = 0.05;
-            if (least > (1.0 + kLeastBend) * e.radius) add(wall, false);
+            if (least > 1.05 * e.radius) add(wall, false);
         }
     }
 
     // Adds the coil of a corner on a helix.
     void rim_around(const ProfileElement& e, const HelixPath& path, double lead) {
-        if (e.radius <= kEqual || path.reach <= kEqual || std::abs(lead) <= kEqual) return;
+        if (e.radius <= kRounding || path.reach <= kRounding || std::abs(lead) <= kRounding) return;
         const Vec3 start = path.centre + e.height * path.axis;
         add(Coil{start, path.axis, path.ahead, path.reach, e.radius, lead});
         // The remaining turns of the coil pass near any level face.
@@ -369,8 +360,8 @@ public:
     // each side of the arc's centre, limited to the heights that the arc passes there. Beyond these
     // heights, the dome would continue along walls at the start or the end of the motion.
     void rim_across(const ProfileElement& e, const ArcPath& path, Vec3 axis) {
-        if (e.radius <= kEqual || path.fitted_radius <= kEqual ||
-            std::abs(dot(path.about, axis)) > kEqual)
+        if (e.radius <= kRounding || path.fitted_radius <= kRounding ||
+            std::abs(dot(path.about, axis)) > kRounding)
             return;
         const Vec3 centre = path.fitted + e.height * axis;
         for (const double sign : {-1.0, 1.0}) {
@@ -387,7 +378,7 @@ public:
 
     // Adds the plane of a flat end where such an arc is level, at the bottom of a dip.
     void level_across(const ProfileElement& e, Vec3 centre, Vec3 axis, double reach) {
-        if (e.fillet > 0.0 || std::abs(e.rise()) > kEqual) return;
+        if (e.fillet > 0.0 || std::abs(e.rise()) > kRounding) return;
         disc(e, centre + (e.height + (e.widening() > 0.0 ? -reach : reach)) * axis, axis);
     }
 
@@ -396,10 +387,10 @@ public:
     void arc_across(const ProfileElement& e, const ArcPath& path, Vec3 axis) {
         if (e.fillet > 0.0) {
             tube(path.centre + e.height * axis, path.about, path.radius, e.fillet);
-        } else if (std::abs(e.widening()) <= kEqual) {
+        } else if (std::abs(e.widening()) <= kRounding) {
             for (const double sign : {-1.0, 1.0})
                 add(Plane{path.centre + (sign * e.radius) * path.about, -sign * path.about}, false);
-        } else if (std::abs(e.rise()) > kEqual) {
+        } else if (std::abs(e.rise()) > kRounding) {
             note_unlisted_surfaces();
         }
     }
@@ -409,8 +400,7 @@ private:
     // ledge is left on the inner wall, as wide as two circles are apart next to their point of
     // tangency.
     void add_plunge_chords(double reach, double radius) {
-        constexpr double kMost = 16.0;
-        chords_ = std::min(4.0 * reach * (1.0 / (reach - radius) + 1.0 / radius), kMost);
+        chords_ = std::min(4.0 * reach * (1.0 / (reach - radius) + 1.0 / radius), 16.0);
     }
 
     // Adds the planes of an upright flank if the tool turns in the plane of its path; otherwise
@@ -419,12 +409,12 @@ private:
         const Flank& side = *sweep.flank();
         const ToolFrame& start = sweep.samples().front();
         const Vec3 low = cross(start.speed, start.axis), turned = cross(start.turn, start.axis);
-        const Vec3 n = normalized(norm(turned) > kEqual ? turned : low);
+        const Vec3 n = normalized(norm(turned) > kRounding ? turned : low);
         const auto is_across = [&](const ToolFrame& at) {
-            return std::abs(dot(at.axis, n)) <= kEqual &&
-                   std::abs(dot(at.tip - start.tip, n)) <= kEqual;
+            return std::abs(dot(at.axis, n)) <= kRounding &&
+                   std::abs(dot(at.tip - start.tip, n)) <= kRounding;
         };
-        if (std::abs(side.sine) > kEqual || !std::ranges::all_of(sweep.samples(), is_across))
+        if (std::abs(side.sine) > kRounding || !std::ranges::all_of(sweep.samples(), is_across))
             return false;
         for (const double sign : {-1.0, 1.0})
             add(Plane{start.tip + (sign * side.radius) * n, -sign * n});
@@ -447,7 +437,7 @@ private:
     }
 
     void tube(Vec3 centre, Vec3 axis, double major, double minor) {
-        if (major <= kEqual) {
+        if (major <= kRounding) {
             add(Sphere{centre, minor});
         } else {
             add(Torus{centre, axis, major, minor});
@@ -488,8 +478,8 @@ private:
 void sweep_arc(Sweeps& sweeps, const ProfileElement& e, bool is_corner, const ArcPath& path,
                Vec3 axis) {
     const double along = std::abs(dot(path.about, axis));
-    const bool is_about = along > 1.0 - kEqual, is_across = along <= kEqual;
-    const bool is_ball = e.fillet > 0.0 && e.radius <= kEqual;
+    const bool is_about = along > 1.0 - kRounding, is_across = along <= kRounding;
+    const bool is_ball = e.fillet > 0.0 && e.radius <= kRounding;
     const HelixPath round{path.centre, path.about, path.ahead, path.start,
                           path.growth, path.rise,  path.swept, axis};
     if (path.spiral && is_about && e.fillet <= 0.0) {
@@ -535,15 +525,14 @@ void sweep_spline(Sweeps& sweeps, const ProfileElement& e, bool is_corner,
 // Adds the surfaces of an element along the pieces of a path on which the tool turns.
 void sweep_turning(Sweeps& sweeps, const ProfileElement& e, bool is_corner,
                    const std::vector<RotaryPath>& path) {
-    constexpr std::size_t kTwoTurns = 6;  // pieces
     if (sweeps.ring_around(e, path.front())) return;
-    sweeps.floor_around(e, path.front(), path.size() >= kTwoTurns);
+    // Two turns are six pieces.
+    sweeps.floor_around(e, path.front(), path.size() >= 6);
     // On many turns, the walls between the ends usually vanish.
-    constexpr std::size_t kMostOfSides = 12, kMostOfRounds = 48, kEnds = 4;
-    const bool has_all = path.size() <= (e.fillet > 0.0 ? kMostOfRounds : kMostOfSides);
+    const bool has_all = path.size() <= (e.fillet > 0.0 ? 48 : 12);
     if (!has_all) sweeps.note_unlisted_surfaces();
     for (std::size_t k = 0; k < path.size(); ++k) {
-        if (!has_all && k >= kEnds && k + kEnds < path.size()) continue;
+        if (!has_all && k >= 4 && k + 4 < path.size()) continue;
         if (path.size() > 1) sweeps.set_place({}, ends_of(path, k));
         sweeps.envelope(e, path[k]);
         if (is_corner) sweeps.rim(e, path[k]);
@@ -553,9 +542,8 @@ void sweep_turning(Sweeps& sweeps, const ProfileElement& e, bool is_corner,
 
 // Returns the unit direction of a line. Programs round the end of a motion along the tool's axis.
 Vec3 direction_of(Vec3 motion, Vec3 axis) {
-    constexpr double kLargestLateral = 2e-3, kSteep = 1e-3;  // mm; of the length
     const double lateral = norm(cross(axis, motion));
-    if (lateral <= kLargestLateral && lateral <= kSteep * norm(motion))
+    if (lateral <= 2.0 * kLeastSizeMm && lateral <= kLeastSine * norm(motion))
         return dot(axis, motion) < 0.0 ? -axis : axis;
     return normalized(motion);
 }
@@ -591,7 +579,7 @@ SweptSurfaces surfaces_of(const gcode::Motion& motion, const toolpath::Tool& too
             const ProfileElement& e = elements[i];
             const bool is_corner = i > 0 && e.fillet <= 0.0 && elements[i - 1].fillet <= 0.0;
             const bool is_below_side = e.fillet > 0.0 && i + 1 < elements.size() &&
-                                       std::abs(elements[i + 1].widening()) <= kEqual && !turns;
+                                       std::abs(elements[i + 1].widening()) <= kRounding && !turns;
             sweeps.set_below_side(is_below_side ? std::optional(axis) : std::nullopt);
             sweeps.set_at_rest(false);
             if (path) {

@@ -5,6 +5,8 @@
 
 #include "ncsim/base/angles.h"
 
+#include "geometry/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -13,14 +15,13 @@
 namespace ncsim::brep {
 
 std::vector<std::vector<Vec3>> points_along(const Part& part, const Face& face) {
-    constexpr std::size_t kInAPiece = 4;
     std::vector<std::vector<Vec3>> loops;
     for (const Loop& loop : face.loops) {
         std::vector<Vec3>& points = loops.emplace_back();
         for (const EdgeUse& use : loop) {
             const Edge& edge = part.edges[use.edge];
             const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
-            const std::size_t steps = kInAPiece * track.pieces();
+            const std::size_t steps = 4 * track.pieces();
             for (std::size_t i = 0; i < steps; ++i) {
                 const double t = static_cast<double>(i) / static_cast<double>(steps);
                 points.push_back(track.at(use.is_forward ? t : 1.0 - t));
@@ -58,8 +59,7 @@ AngularExtent angular_extent(const std::vector<std::vector<Vec3>>& loops, Vec3 o
             const double far = norm(v);
             if (far > 0.0) extent.nearest = std::min(extent.nearest, radius / far);
             // A tip has no angle.
-            constexpr double kAtTip = 1e-6;
-            if (radius > kAtTip) take(angle_of(u, w));
+            if (radius > kPointError) take(angle_of(u, w));
         }
         if (first) take(*first);
         extent.is_full_turn = extent.is_full_turn || std::abs(sum) > 180.0;

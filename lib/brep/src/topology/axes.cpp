@@ -5,6 +5,8 @@
 
 #include "ncsim/base/angles.h"
 
+#include "geometry/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -20,7 +22,6 @@ Local local_on(const Dome& dome, const Axes& axes, Vec3 p) {
 
 double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus& torus) {
     if (is_spindle(torus)) return tip_degrees(torus);
-    constexpr int kSteps = 32;
     struct Angle {
         double degrees;
         // The face continues to greater angles (1), to smaller angles (-1), or neither.
@@ -29,8 +30,8 @@ double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus&
     };
     std::vector<Angle> angles;
     for_edges(part, face, [&](const Track& track, double sign) {
-        for (int i = 0; i <= kSteps; ++i) {
-            const double t = static_cast<double>(i) / kSteps;
+        for (int i = 0; i <= kSamples; ++i) {
+            const double t = static_cast<double>(i) / kSamples;
             const Vec3 at = track.at(t);
             const Local p = axes(at);
             const Vec3 n = outward(face.surface, at);
@@ -38,10 +39,9 @@ double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus&
             const Vec3 tangent = p.z * radial - (p.radius - torus.major) * axes.z;
             const double inwards =
                 -dot(normalized(tangent), normalized(sign * cross(n, track.derivative(t))));
-            constexpr double kAcross = 0.9;
-            angles.push_back({angle_of(p.radius - torus.major, p.z), inwards > kAcross    ? 1
-                                                                     : inwards < -kAcross ? -1
-                                                                                          : 0});
+            angles.push_back({angle_of(p.radius - torus.major, p.z), inwards > 0.9    ? 1
+                                                                     : inwards < -0.9 ? -1
+                                                                                      : 0});
         }
     });
     std::sort(angles.begin(), angles.end());
@@ -58,10 +58,9 @@ double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus&
 }
 
 double degrees_from(double cut, const Torus& torus, const Local& p) {
-    constexpr double kTurn = 360.0, kQuarter = 90.0;
     const double degrees = angle_of(p.radius - torus.major, p.z) - cut;
-    if (!is_spindle(torus)) return degrees < 0.0 ? degrees + kTurn : degrees;
-    return std::max(0.0, degrees < -kQuarter ? degrees + kTurn : degrees);
+    if (!is_spindle(torus)) return degrees < 0.0 ? degrees + kTurnDegrees : degrees;
+    return std::max(0.0, degrees < -kQuarterTurnDegrees ? degrees + kTurnDegrees : degrees);
 }
 
 }  // namespace ncsim::brep

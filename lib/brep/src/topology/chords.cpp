@@ -3,6 +3,7 @@
 // Splitting of arcs next to corners of the same face.
 #include "topology/chords.h"
 
+#include "geometry/tolerances.h"
 #include "topology/edge_splitter.h"
 
 #include <algorithm>
@@ -45,8 +46,7 @@ std::optional<double> nearest_inside(const Track& track, Vec3 p) {
     for (std::size_t i = 0; i < track.pieces(); ++i) {
         double low = track.start_of(i), high = track.start_of(i + 1);
         if (ahead(low) <= 0.0 || ahead(high) >= 0.0) continue;
-        constexpr int kTimes = 50;
-        for (int k = 0; k < kTimes; ++k) {
+        for (int k = 0; k < 50; ++k) {
             const double middle = 0.5 * (low + high);
             (ahead(middle) > 0.0 ? low : high) = middle;
         }
@@ -97,17 +97,16 @@ private:
         if (!at) return std::nullopt;
         const Vec3 foot = track.at(*at), in = corner - foot;
         const Vec3 before = track.at(0.0) - foot, after = track.at(1.0) - foot;
-        // A corner nearer to an end than kEnd coincides with the end.
-        constexpr double kEnd = 1e-3, kAsDeep = 0.5;
+        // A corner nearer to an end than the least size coincides with the end.
         const double nearer = std::min(norm(before), norm(after));
         const double deviation = norm(in);
-        if (deviation > kChordDepth || nearer < kEnd || dot(in, arc.centre - foot) <= 0.0)
+        if (deviation > kChordDepth || nearer < kLeastSizeMm || dot(in, arc.centre - foot) <= 0.0)
             return std::nullopt;
         // Depth of the whole arc's chord below the foot.
         const Vec3 along = normalized(after - before);
         const double depth = norm(before - dot(before, along) * along);
         const bool is_long = track.sweep_degrees() > 90.0;
-        if (!is_long && depth < kAsDeep * deviation) return std::nullopt;
+        if (!is_long && depth < 0.5 * deviation) return std::nullopt;
         return at;
     }
 
@@ -140,8 +139,7 @@ bool divide_once(Part& part) {
 
 void split_arcs_near_corners(Part& part) {
     // An arc may need a split for each of several corners.
-    constexpr int kMostTimes = 100;
-    for (int i = 0; i < kMostTimes && divide_once(part); ++i) {
+    for (int i = 0; i < 100 && divide_once(part); ++i) {
     }
 }
 

@@ -3,14 +3,14 @@
 // Crossings by bisection between extreme heights of an edge.
 #include "topology/crossings.h"
 
+#include "geometry/tolerances.h"
+
 #include <cmath>
 #include <cstddef>
 
 namespace ncsim::brep {
 
 namespace {
-
-constexpr int kHalvings = 60;
 
 class Heights {
 public:
@@ -29,7 +29,7 @@ public:
     // both sides.
     double reach(double begin, double end, double height) const {
         const bool is_above = (*this)(begin) > height;
-        for (int i = 0; i < kHalvings; ++i) {
+        for (int i = 0; i < kMostSteps; ++i) {
             const double middle = 0.5 * (begin + end);
             (((*this)(middle) > height) == is_above ? begin : end) = middle;
         }
@@ -52,7 +52,7 @@ std::vector<double> turns_of(const Heights& height) {
         const double slope = height.slope(t);
         if ((slope > 0.0) != (last > 0.0)) {
             double begin = static_cast<double>(i - 1) / static_cast<double>(steps), end = t;
-            for (int k = 0; k < kHalvings; ++k) {
+            for (int k = 0; k < kMostSteps; ++k) {
                 const double middle = 0.5 * (begin + end);
                 ((height.slope(middle) > 0.0) == (last > 0.0) ? begin : end) = middle;
             }

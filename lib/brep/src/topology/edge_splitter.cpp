@@ -53,10 +53,9 @@ EdgeHalves split_spline(const Part& part, const Edge& edge, const Spline& spline
     const auto after = static_cast<std::size_t>(std::ranges::upper_bound(k, place) - k.begin());
     const std::size_t i = std::clamp<std::size_t>(after, 1, k.size() - 1);
     // A knot this near to the place is the place.
-    constexpr double kNear = 1e-3;
     const double width = k[i] - k[i - 1];
-    if (place - k[i - 1] < kNear * width && i > 1) return split_spline(spline, i - 1);
-    if (k[i] - place < kNear * width && i + 1 < k.size()) return split_spline(spline, i);
+    if (place - k[i - 1] < 1e-3 * width && i > 1) return split_spline(spline, i - 1);
+    if (k[i] - place < 1e-3 * width && i + 1 < k.size()) return split_spline(spline, i);
     const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
     const Track::Step step = track.step(at);
     const Vec3 third = (1.0 / (3.0 * (k.back() - k.front()))) * step.derivative;

@@ -6,6 +6,9 @@
 // 4. Where the patch is too far off between knots, add a knot around or along, and repeat from 2.
 #include "topology/envelope_patch.h"
 
+#include "ncsim/base/angles.h"
+
+#include "geometry/tolerances.h"
 #include "topology/angular_extent.h"
 
 #include <algorithm>
@@ -17,9 +20,6 @@
 namespace ncsim::brep {
 
 namespace {
-
-constexpr double kNearEnough = 1e-6;  // mm
-constexpr std::size_t kMostKnots = 400;
 
 // Point of the spline, with derivatives.
 struct Bent {
@@ -45,9 +45,8 @@ public:
           step_along_(1e-4 * (along_.back() - along_.front())) {}
 
     Patch make() {
-        constexpr int kMostPasses = 12;
         bend();
-        for (int pass = 0; pass < kMostPasses && refine(); ++pass)
+        for (int pass = 0; pass < 12 && refine(); ++pass)
             bend();
         return patch();
     }
@@ -113,8 +112,7 @@ private:
             square += out * out;
         }
         double share() const {
-            constexpr double kStraight = 1e-12, kMost = 0.2;
-            return square > kStraight ? 1.0 - std::clamp(deviation / square, -kMost, kMost) : 1.0;
+            return square > kUnitRounding ? 1.0 - std::clamp(deviation / square, -0.2, 0.2) : 1.0;
         }
         double deviation = 0.0, square = 0.0;
     };
@@ -163,9 +161,9 @@ private:
                     ahead = std::max({ahead, deviation(i, j, 0.0, x), deviation(i, j, 1.0, x)});
                     inside = std::max({inside, deviation(i, j, x, 0.5), deviation(i, j, 0.5, x)});
                 }
-                if (std::max({across, ahead, inside}) <= kNearEnough) continue;
-                wide[i] = wide[i] || across > kNearEnough || across >= ahead;
-                lengthy[j] = lengthy[j] || ahead > kNearEnough || ahead > across;
+                if (std::max({across, ahead, inside}) <= kPointError) continue;
+                wide[i] = wide[i] || across > kPointError || across >= ahead;
+                lengthy[j] = lengthy[j] || ahead > kPointError || ahead > across;
             }
         }
         const bool more_around = halve(around_, wide);
@@ -178,7 +176,7 @@ private:
             finer.push_back(knots[i]);
             if (which[i]) finer.push_back(0.5 * (knots[i] + knots[i + 1]));
         }
-        if (finer.size() == knots.size() || finer.size() > kMostKnots) return false;
+        if (finer.size() == knots.size() || finer.size() > 400) return false;
         knots = std::move(finer);
         return true;
     }
@@ -238,8 +236,6 @@ std::vector<double> evenly(double from, double to, double piece) {
 }  // namespace
 
 Patch patch_of_envelope(const Part& part, const Face& face, const Envelope& envelope) {
-    constexpr double kShare = 0.02;  // of the path, and of the height of flanks
-    constexpr double kBeyondAround = 4.0, kPieceAround = 15.0, kTurn = 360.0;  // degrees
     const Sweep& sweep = *envelope.sweep;
     double first = 1e9, last = -1e9, begin = 1e9, end = -1e9;
     for (const auto& points : points_along(part, face)) {
@@ -253,19 +249,19 @@ Patch patch_of_envelope(const Part& part, const Face& face, const Envelope& enve
             end = std::max(end, closest.t);
         }
     }
-    const double beyond = kShare * std::max(end - begin, kShare);
+    const double beyond = 0.02 * std::max(end - begin, 0.02);
     const double from = begin - beyond, to = end + beyond;
     const bool is_straight = std::holds_alternative<StraightPath>(sweep.path());
     const double piece = 4.0 / static_cast<double>(sweep.samples().size() - 1);
     const auto along = evenly(from, to, is_straight ? to - from : piece);
     if (sweep.flank()) {
-        const double margin = kShare * (last - first) + kShare;
+        const double margin = 0.02 * (last - first) + 0.02;
         const double low = first - margin, high = last + margin;
         return PatchMaker(envelope, evenly(low, high, high - low), along).make();
     }
-    const double low = std::max(0.0, first - kBeyondAround);
-    const double high = std::min(kTurn, last + kBeyondAround);
-    return PatchMaker(envelope, evenly(low, high, kPieceAround), along).make();
+    const double low = std::max(0.0, first - 4.0);
+    const double high = std::min(kTurnDegrees, last + 4.0);
+    return PatchMaker(envelope, evenly(low, high, 15.0), along).make();
 }
 
 }  // namespace ncsim::brep

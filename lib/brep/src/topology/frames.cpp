@@ -5,6 +5,7 @@
 
 #include "ncsim/base/angles.h"
 
+#include "geometry/tolerances.h"
 #include "topology/angular_extent.h"
 #include "topology/whole_circle.h"
 
@@ -23,8 +24,7 @@ namespace {
 Vec3 x_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis) {
     const Vec3 x = any_perpendicular(axis);
     const AngularExtent round = angular_extent(loops, origin, axis, x);
-    constexpr double kLeastGap = 0.01;
-    if (round.is_full_turn || round.gap < kLeastGap) {
+    if (round.is_full_turn || round.gap < 0.01) {
         const Vec3 v = loops.front().front() - origin;
         const Vec3 out = v - dot(v, axis) * axis;
         return norm(out) > 1e-6 ? normalized(out) : x;
@@ -44,8 +44,7 @@ std::optional<Frame> frame_of_turned(const Part& part, const Face& face) {
     double height = 0.0;
     for (const Loop& loop : face.loops) {
         const auto circle = whole_circle(part, loop);
-        constexpr double kLeastRadius = 1e-3;
-        if (!circle || !circle->is_about(origin, axis) || circle->radius < kLeastRadius)
+        if (!circle || !circle->is_about(origin, axis) || circle->radius < kLeastSizeMm)
             return std::nullopt;
         if (!first) first = circle->start;
         height = std::max(height, dot(circle->start - origin, axis));
@@ -61,8 +60,8 @@ std::optional<Vec3> axis_of_zone(const Part& part, const Face& face) {
     for (const Loop& loop : face.loops) {
         for (const EdgeUse& use : loop) {
             const auto* circle = std::get_if<Circle>(&part.edges[use.edge].curve);
-            constexpr double kOne = 1e-9;
-            if (!circle || (axis && norm(cross(*axis, circle->axis)) > kOne)) return std::nullopt;
+            if (!circle || (axis && norm(cross(*axis, circle->axis)) > kRounding))
+                return std::nullopt;
             if (!axis) axis = circle->axis;
         }
     }
@@ -112,7 +111,6 @@ Vec3 sphere_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 centre) {
 // OpenCASCADE computes the parameters of all other circles on a sphere roughly, to 2e-5 mm for a
 // radius of 3 mm, and then finds the curve off its surface.
 std::optional<Vec3> axis_of_parameters(const Part& part, const Face& face, const Sphere& sphere) {
-    constexpr double kOne = 1e-9;
     std::vector<const Edge*> edges;
     std::vector<Vec3> normals;
     for (const Loop& loop : face.loops) {
@@ -121,8 +119,9 @@ std::optional<Vec3> axis_of_parameters(const Part& part, const Face& face, const
             const auto* circle = std::get_if<Circle>(&edge.curve);
             if (!circle) return std::nullopt;
             edges.push_back(&edge);
-            const bool is_known = std::ranges::any_of(
-                normals, [&](Vec3 normal) { return norm(cross(normal, circle->axis)) < kOne; });
+            const bool is_known = std::ranges::any_of(normals, [&](Vec3 normal) {
+                return norm(cross(normal, circle->axis)) < kRounding;
+            });
             if (!is_known) normals.push_back(circle->axis);
         }
     }
@@ -133,18 +132,17 @@ std::optional<Vec3> axis_of_parameters(const Part& part, const Face& face, const
     }
     const auto is_line_of = [&](const Edge& edge, Vec3 axis) {
         const auto& circle = std::get<Circle>(edge.curve);
-        if (norm(cross(circle.axis, axis)) < kOne) return true;
-        const bool is_great = norm(circle.centre - sphere.centre) < kOne * sphere.radius &&
-                              std::abs(dot(circle.axis, axis)) < kOne;
+        if (norm(cross(circle.axis, axis)) < kRounding) return true;
+        const bool is_great = norm(circle.centre - sphere.centre) < kRounding * sphere.radius &&
+                              std::abs(dot(circle.axis, axis)) < kRounding;
         if (!is_great || edge.from == edge.to) return false;
         const Vec3 from = part.vertices[edge.from], to = part.vertices[edge.to];
         const double sweep = Track(edge.curve, from, to).sweep_degrees();
         return std::ranges::all_of(std::array{axis, -axis}, [&](Vec3 pole) {
             const Vec3 x = normalized(from - circle.centre), y = cross(circle.axis, x);
             double at = angle_of(dot(pole, x), dot(pole, y));
-            constexpr double kTurn = 360.0, kInCorner = 1e-6;
-            if (at < -kInCorner) at += kTurn;
-            return at < kInCorner || at > sweep - kInCorner;
+            if (at < -kPointError) at += kTurnDegrees;
+            return at < kPointError || at > sweep - kPointError;
         });
     };
     const auto loops = points_along(part, face);
@@ -199,11 +197,10 @@ Frame frame_for(const Part& part, const Face& face) {
     if (const auto* f = std::get_if<Torus>(&face.surface.form)) {
         if (!is_spindle(*f)) return {f->centre, f->axis, x_axis(loops, f->centre, f->axis)};
         // The tip has no angle.
-        constexpr double kInTip = 1e-6;
         std::vector<std::vector<Vec3>> clear = loops;
         for (auto& points : clear) {
-            std::erase_if(points,
-                          [&](Vec3 p) { return norm(cross(p - f->centre, f->axis)) < kInTip; });
+            std::erase_if(
+                points, [&](Vec3 p) { return norm(cross(p - f->centre, f->axis)) < kPointError; });
         }
         return {f->centre, f->axis, x_axis(clear, f->centre, f->axis)};
     }
@@ -249,12 +246,8 @@ Frame frame_in_file(const Part& part, const Face& face) {
 }
 
 std::optional<Vec3> half_of_ramp(const Part& part, const Face& face) {
-    constexpr double kShallow = 0.1, kBeyond = 1e-3;
-    // Fractions of the radius. Corners nearer to the side than kAtSide are corners of walls,
-    // displaced by rounding.
-    constexpr double kAtSide = 1e-4, kBesideSide = 0.05;
     const auto* ramp = std::get_if<Extrusion>(&face.surface.form);
-    if (!ramp || std::abs(dot(ramp->along, ramp->axis)) >= kShallow) return std::nullopt;
+    if (!ramp || std::abs(dot(ramp->along, ramp->axis)) >= 0.1) return std::nullopt;
     const Vec3 ahead = normalized(ramp->along - dot(ramp->along, ramp->axis) * ramp->axis);
     const auto place = [&](Vec3 p) {
         return dot(p - place_along(*ramp, p) * ramp->along - ramp->centre, ahead) / ramp->radius;
@@ -263,7 +256,8 @@ std::optional<Vec3> half_of_ramp(const Part& part, const Face& face) {
         return std::ranges::any_of(loop, [&](const EdgeUse& use) {
             const Edge& edge = part.edges[use.edge];
             const double at = std::abs(place(part.vertices[use.is_forward ? edge.from : edge.to]));
-            return at > kAtSide && at < kBesideSide;
+            // Corners nearer to the side are corners of walls, displaced by rounding.
+            return at > 1e-4 && at < 0.05;
         });
     });
     if (!ends_beside_side) return std::nullopt;
@@ -274,8 +268,8 @@ std::optional<Vec3> half_of_ramp(const Part& part, const Face& face) {
             foremost = std::max(foremost, place(p));
         }
     }
-    if (rearmost > -kBeyond) return ahead;
-    if (foremost < kBeyond) return -ahead;
+    if (rearmost > -1e-3) return ahead;
+    if (foremost < 1e-3) return -ahead;
     return std::nullopt;
 }
 

@@ -8,6 +8,7 @@
 #include "ncsim/brep/frames.h"
 
 #include "geometry/spline_surface.h"
+#include "geometry/tolerances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,11 +21,7 @@ namespace ncsim::brep {
 
 namespace {
 
-constexpr double kMostMiss = 2e-6;     // mm: readers project what is farther off in their own way
-constexpr double kOnSurface = 7e-8;    // mm
-constexpr double kLeastRadius = 1e-3;  // mm: nearer to an axis, angles are undetermined
-constexpr double kParallel = 1e-9;     // sine
-constexpr double kTurn = 360.0 * kRadiansPerDegree;
+constexpr double kTurn = kTurnDegrees * kRadiansPerDegree;
 
 double angle_rad(double x, double y) {
     return angle_of(x, y) * kRadiansPerDegree;
@@ -33,13 +30,12 @@ double angle_rad(double x, double y) {
 // Returns the factors of `u` and `v` in the part of `w` in their plane. Where they are parallel,
 // the factors are the smallest ones if `any` is set, otherwise there is no result.
 std::optional<Vec2> components(Vec3 u, Vec3 v, Vec3 w, bool any) {
-    constexpr double kLeastSine = 1e-5, kWeight = 1e-9;
     double uu = dot(u, u), vv = dot(v, v);
     const double uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
-    if (!(uu * vv - uv * uv > kLeastSine * kLeastSine * uu * vv)) {
+    if (!(uu * vv - uv * uv > kParallelAngle * kParallelAngle * uu * vv)) {
         if (!any) return std::nullopt;
-        uu += kWeight * (uu + vv);
-        vv += kWeight * (uu + vv);
+        uu += kRounding * (uu + vv);
+        vv += kRounding * (uu + vv);
     }
     const double det = uu * vv - uv * uv;
     if (!(det > 0.0)) return std::nullopt;
@@ -145,7 +141,7 @@ std::optional<ParameterSurface::Place> ParameterSurface::first_place(Vec3 p) con
     }
     const double x = dot(at, frame_.x), y = dot(at, cross(frame_.axis, frame_.x));
     const double radius = std::sqrt(x * x + y * y);
-    if (radius < kLeastRadius) return std::nullopt;
+    if (radius < kLeastSizeMm) return std::nullopt;  // The angle is undetermined.
     double u = angle_rad(x, y);
     if (u < 0.0) u += kTurn;
     if (std::holds_alternative<Sphere>(form_)) return Place{u, angle_rad(radius, along)};
@@ -173,10 +169,8 @@ std::optional<ParameterSurface::Place> ParameterSurface::place(Vec3 p, Place nea
             (*found)[k] -= kTurn * std::round(((*found)[k] - nearby[k]) / kTurn);
         return found;
     }
-    constexpr int kSteps = 30;
-    constexpr double kSmall = 1e-13;
     Place at = nearby;
-    for (int i = 0; i < kSteps; ++i) {
+    for (int i = 0; i < kMostSteps / 2; ++i) {
         const Point s = point(at);
         const auto step = components(s.by_u, s.by_v, p - s.at, true);
         if (!step) return std::nullopt;
@@ -184,7 +178,7 @@ std::optional<ParameterSurface::Place> ParameterSurface::place(Vec3 p, Place nea
         at[0] = std::clamp(at[0] + (*step)[0], patch_->around.front(), patch_->around.back());
         at[1] = std::clamp(at[1] + (*step)[1], patch_->along.front(), patch_->along.back());
         if (std::abs(at[0] - before[0]) + std::abs(at[1] - before[1]) <
-            kSmall * (1.0 + std::abs(at[0]) + std::abs(at[1])))
+            0.1 * kUnitRounding * (1.0 + std::abs(at[0]) + std::abs(at[1])))
             break;
     }
     return at;
@@ -204,7 +198,7 @@ public:
         if (!last) return std::nullopt;
         nodes_.push_back(*last);
         for (std::size_t i = 1; i < breaks.size(); ++i) {
-            if (!add_piece(breaks[i], kMostHalvings)) return std::nullopt;
+            if (!add_piece(breaks[i], 7)) return std::nullopt;
         }
         ParameterCurve result;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -219,8 +213,6 @@ public:
     }
 
 private:
-    static constexpr int kMostHalvings = 7;
-
     struct Node {
         double t = 0.0;
         Place at{}, slope{};
@@ -231,12 +223,12 @@ private:
     std::optional<Node> node_at(double t, double inside, Place nearby) const {
         const Vec3 p = curve_.at(t).at;
         const auto at = surface_.place(p, nearby);
-        if (!at || !(norm(surface_.point(*at).at - p) <= kMostMiss)) return std::nullopt;
+        // Readers project what is farther off in their own way.
+        if (!at || !(norm(surface_.point(*at).at - p) <= 2.0 * kPointError)) return std::nullopt;
         if (const auto slope = slope_at(t, *at)) return Node{t, *at, *slope};
-        constexpr double kNear = 1e-3;
         std::array<Place, 2> slopes{};
         for (std::size_t i = 0; i < slopes.size(); ++i) {
-            const double beside = t + kNear * static_cast<double>(i + 1) * (inside - t);
+            const double beside = t + 1e-3 * static_cast<double>(i + 1) * (inside - t);
             const auto place = surface_.place(curve_.at(beside).at, *at);
             const auto slope = place ? slope_at(beside, *place) : std::nullopt;
             if (!slope) return std::nullopt;
@@ -273,11 +265,10 @@ private:
                              s * s * (3.0 - 2.0 * s) * to.at - s * s * r * width * to.slope;
             const Vec3 p = curve_.at(from.t + s * width).at;
             const double away = norm(surface_.point(at).at - p);
-            if (away <= kOnSurface) return true;
-            if (away > kMostMiss) return false;
-            constexpr double kOfMiss = 1.5;
+            if (away <= 0.7 * kReaderMm) return true;
+            if (away > 2.0 * kPointError) return false;
             const auto nearest = surface_.place(p, at);
-            return nearest && away <= kOfMiss * norm(surface_.point(*nearest).at - p);
+            return nearest && away <= 1.5 * norm(surface_.point(*nearest).at - p);
         });
     }
 
@@ -287,11 +278,11 @@ private:
 };
 
 std::optional<ParameterCurve> ParameterSurface::curve_of(const Part& part, const Edge& edge) const {
-    const auto is_along = [](Vec3 a, Vec3 b) { return norm(cross(a, b)) < kParallel; };
+    const auto is_along = [](Vec3 a, Vec3 b) { return norm(cross(a, b)) < kRounding; };
     if (const auto* circle = std::get_if<Circle>(&edge.curve); circle && !patch_) {
         const bool is_parallel = is_along(circle->axis, frame_.axis);
         const Vec3 v = circle->centre - frame_.origin;
-        const bool is_about = norm(v - dot(v, frame_.axis) * frame_.axis) < kParallel;
+        const bool is_about = norm(v - dot(v, frame_.axis) * frame_.axis) < kRounding;
         if (is_parallel && (is_about || std::holds_alternative<Extrusion>(form_)))
             return std::nullopt;
     }

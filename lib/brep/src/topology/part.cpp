@@ -17,7 +17,6 @@
 namespace ncsim::brep {
 
 std::size_t mark_tessellated(Part& part, cda::Origin origin) {
-    constexpr double kCosine = 0.866;  // 30°
     const auto is_candidate = [&](const Face& face) {
         return std::holds_alternative<Plane>(face.surface.form) &&
                face.origins == std::vector{origin};
@@ -31,7 +30,8 @@ std::size_t mark_tessellated(Part& part, cda::Origin origin) {
             for (const EdgeUse& use : loop) {
                 const std::uint32_t other = std::exchange(face_of_edge[use.edge], f);
                 if (other == kNone || other == f) continue;
-                if (dot(normal, std::get<Plane>(part.faces[other].surface.form).normal) < kCosine)
+                // A facet and its neighbour turn by less than 30°.
+                if (dot(normal, std::get<Plane>(part.faces[other].surface.form).normal) < 0.866)
                     continue;
                 found.insert({f, other});
             }

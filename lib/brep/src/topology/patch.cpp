@@ -75,8 +75,6 @@ struct Reach {
 constexpr double kBeyond = 4.0;  // degrees
 // Largest piece of an arc, degrees.
 constexpr double kPiece = 10.0;
-// Largest piece of a spiral, degrees, for an error of 2e-9 of the radius.
-constexpr double kPieceOfSpiral = 3.0;
 
 // Returns the extent of a patch. The patch ends with the face where an edge runs along that end,
 // and extends beyond the face elsewhere. OpenCASCADE knows the parameters of edges on the end of a
@@ -145,14 +143,13 @@ Patch patch_of_dome(const Part& part, const Face& face, const Dome& dome) {
 // True if a level circle is at `degrees`, so that the patch may end there. Readers know the
 // parameters of edges on the end of a patch without a search.
 bool ends_level(const Part& part, const Face& face, const Coil& coil, double degrees) {
-    constexpr double kOn = 1e-9;
     for (const Loop& loop : face.loops) {
         for (const EdgeUse& use : loop) {
             const Edge& edge = part.edges[use.edge];
             const auto* circle = std::get_if<Circle>(&edge.curve);
-            if (!circle || std::abs(dot(circle->axis, coil.axis)) < 1.0 - kOn) continue;
+            if (!circle || std::abs(dot(circle->axis, coil.axis)) < 1.0 - kRounding) continue;
             const double turn = place_at_height(coil, part.vertices[edge.from]).turn;
-            if (std::abs(turn / kRadiansPerDegree - degrees) < kOn) return true;
+            if (std::abs(turn / kRadiansPerDegree - degrees) < kRounding) return true;
         }
     }
     return false;
@@ -172,13 +169,13 @@ Patch patch_of_coil(const Part& part, const Face& face, const Coil& coil) {
     }
     const double sign = ahead < 0.0 ? -1.0 : 1.0;
     const Vec3 side = cross(coil.axis, coil.ahead);
-    constexpr double kHalf = 90.0;
     double low = reach.low, high = reach.high;
     if (!ends_level(part, face, coil, low)) low -= kBeyond;
     if (!ends_level(part, face, coil, high)) high += kBeyond;
     // The circle is ahead at t = 0 in the direction of `side`.
-    const Quintic circle = quintic_of_arc(
-        {}, (sign * coil.radius) * side, (-sign * coil.radius) * coil.ahead, -kHalf, kHalf, kPiece);
+    const Quintic circle =
+        quintic_of_arc({}, (sign * coil.radius) * side, (-sign * coil.radius) * coil.ahead,
+                       -kQuarterTurnDegrees, kQuarterTurnDegrees, kPiece);
     const Quintic turn = quintic_of_arc({}, {1, 0, 0}, {0, 1, 0}, low, high, kPiece);
     const Quintic path = quintic_of_arc(coil.centre, coil.reach * coil.ahead, coil.reach * side,
                                         low, high, kPiece, coil.lead * coil.axis);
@@ -203,7 +200,8 @@ Patch patch_of_spiral(const Part& part, const Face& face, const Spiral& spiral) 
         }
     }
     const double low = reach.low - kBeyond, high = reach.high + kBeyond;
-    const int pieces = std::max(1, static_cast<int>((high - low) / kPieceOfSpiral) + 1);
+    // Pieces of 3 degrees are off by 2e-9 of the radius.
+    const int pieces = std::max(1, static_cast<int>((high - low) / 3.0) + 1);
     const double width = (high - low) / pieces;
     const double handle = 4.0 / 3.0 * tangent(0.25 * width);
     Spline wall;

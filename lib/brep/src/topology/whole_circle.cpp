@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "topology/whole_circle.h"
 
+#include "geometry/tolerances.h"
+
 #include <variant>
 
 namespace ncsim::brep {
 
 bool WholeCircle::is_about(Vec3 origin, Vec3 along) const {
-    constexpr double kSame = 1e-9;  // mm, and sine
     const Vec3 v = centre - origin;
-    return norm(cross(axis, along)) < kSame && norm(v - dot(v, along) * along) < kSame;
+    return norm(cross(axis, along)) < kRounding && norm(v - dot(v, along) * along) < kRounding;
 }
 
 std::optional<WholeCircle> whole_circle(const Part& part, const Loop& loop) {

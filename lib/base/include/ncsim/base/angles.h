@@ -13,6 +13,9 @@ namespace ncsim {
 /// Factor from degrees to radians.
 inline constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
+/// A whole turn, half of a turn and a right angle, degrees.
+inline constexpr double kTurnDegrees = 360.0, kHalfTurnDegrees = 180.0, kQuarterTurnDegrees = 90.0;
+
 /// Sine and cosine of the same angle.
 struct SinCos {
     double sin = 0.0;

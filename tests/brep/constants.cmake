@@ -1,0 +1,32 @@
+# cmake -DSOURCE=… -P constants.cmake: fails if lib/brep has more named numbers than the limit below,
+# or a tolerance with a name outside of geometry/tolerances.h. Other tolerances are factors of those.
+# The limit only goes down.
+cmake_minimum_required(VERSION 3.25)
+
+set(limit 40)
+set(names "")
+set(faults "")
+file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/lib/brep/*.h ${SOURCE}/lib/brep/*.cpp)
+foreach(file IN LISTS files)
+  file(READ ${SOURCE}/${file} text)
+  string(REGEX REPLACE "[][;\\]" " " text "${text}")
+  string(REGEX MATCHALL "constexpr [a-z_:0-9 ]+ k[A-Z][A-Za-z0-9_]*( *=? *[0-9.]*(e-[0-9]+)?)" found "${text}")
+  list(APPEND names ${found})
+  # Powers of ten are tolerances.
+  set(tolerances ${found})
+  list(FILTER tolerances INCLUDE REGEX "e-[0-9]+$")
+  if(tolerances AND NOT file MATCHES "/tolerances.h$|^lib/brep/include/|/path_segments.h$")
+    list(GET tolerances 0 first)
+    list(APPEND faults "${file}: ${first}: use a factor of a value in geometry/tolerances.h")
+  endif()
+endforeach()
+list(LENGTH names count)
+if(count EQUAL 0)
+  list(APPEND faults "no named number in lib/brep: the search is wrong")
+elseif(count GREATER limit)
+  list(APPEND faults "${count} named numbers in lib/brep, at most ${limit}")
+endif()
+if(faults)
+  list(JOIN faults "\n  " text)
+  message(FATAL_ERROR "Named numbers of lib/brep:\n  ${text}")
+endif()
