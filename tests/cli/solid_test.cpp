@@ -148,11 +148,11 @@ TEST(Run, CutsAgainWhereFacetsAreTooLargeForTheSolid) {
     EXPECT_TRUE(contains(once.out, "of the planes are facets of round tools")) << once.out;
 }
 
-// The helix of a ball ends in a level circle, whose surfaces no cut recognises.
+// The helix is narrower than the ball. No cut recognises its surfaces.
 constexpr const char* kHelixOfBall =
     "(T1 D=4. CR=2. - ball end mill)\n(STOCK/BLOCK,30.,30.,10.,15.,15.,10.)\nG21 G90 G17\n"
     "T1 M6 S3000 M3\nG0 X2.215 Y-1.103 Z5.\nG1 Z0. F300.\n"
-    "G3 X2.215 Y-1.103 Z-2.9 I-2.671 J0.\nG3 X2.215 Y-1.103 I-2.671 J0.\n"
+    "G3 X2.215 Y-1.103 Z-2.9 I-1.371 J0.\n"
     "G1 X10.23 Y1.355\nG0 Z5.\nM30\n";
 
 TEST(Run, KeepsTheWorkOfASolidWithinABudget) {

@@ -2,12 +2,13 @@
 //
 // Texts of small parts of reports: boxes, bars, lines, sources of values, designs, names of files,
 // digests and lists of meshes.
+#include "ncsim/base/file_names.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/report/design_facts.h"
 #include "ncsim/report/file_digests.h"
-#include "ncsim/report/file_names.h"
 #include "ncsim/report/mesh_list.h"
 #include "ncsim/report/value_source.h"
+#include "ncsim/verify/region.h"
 
 #include <gtest/gtest.h>
 
@@ -39,15 +40,15 @@ TEST(Describe, BoxesBarsAndFiles) {
 }
 
 TEST(Describe, AtMostSixRangesOfLines) {
-    EXPECT_EQ(lines_text({}), "");
-    EXPECT_EQ(lines_text({{0, 3, 7}, {0, 12, 12}}), "3-7, 12");
+    EXPECT_EQ(verify::lines_text({}), "");
+    EXPECT_EQ(verify::lines_text({{0, 3, 7}, {0, 12, 12}}), "3-7, 12");
     std::vector<verify::LineRange> many;
     many.reserve(7);
     for (std::uint32_t i = 1; i <= 6; ++i)
         many.push_back({0, 10 * i, 10 * i});
-    EXPECT_EQ(lines_text(many), "10, 20, 30, 40, 50, 60");
+    EXPECT_EQ(verify::lines_text(many), "10, 20, 30, 40, 50, 60");
     many.push_back({0, 70, 71});
-    EXPECT_EQ(lines_text(many), "10, 20, 30, 40, 50, 60 and 1 more");
+    EXPECT_EQ(verify::lines_text(many), "10, 20, 30, 40, 50, 60 and 1 more");
 }
 
 TEST(ValueSource, NamesCommentOptionTableAndAssumption) {

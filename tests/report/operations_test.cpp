@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Rows of operations: sums by tool and name, of a run and of a ledger.
+#include "ncsim/simulation/facts.h"
+
 #include "ledger_operations.h"
 #include "operation_rows.h"
 
@@ -11,8 +13,8 @@
 namespace ncsim::report {
 namespace {
 
-ProgramFacts::Operation operation(const std::string& name, int tool, double feed_mm) {
-    ProgramFacts::Operation made;
+simulation::ProgramFacts::Operation operation(const std::string& name, int tool, double feed_mm) {
+    simulation::ProgramFacts::Operation made;
     made.name = name;
     made.tool = tool;
     made.distances.feed_mm = feed_mm;
@@ -21,7 +23,7 @@ ProgramFacts::Operation operation(const std::string& name, int tool, double feed
 }
 
 TEST(OperationRows, SumWhatAToolDoesUnderAName) {
-    ProgramFacts program;
+    simulation::ProgramFacts program;
     program.operations = {operation("FACE", 1, 10), operation("", 2, 20), operation("FACE", 1, 3),
                           operation("FACE", 2, 7), operation("AIR", 1, 0)};
     const auto rows = operation_rows(program, {100, 200, 30, 70, 5});
@@ -38,7 +40,7 @@ TEST(OperationRows, SumWhatAToolDoesUnderAName) {
 }
 
 TEST(OperationRows, AreNoneForOneRowOrWithoutNames) {
-    ProgramFacts program;
+    simulation::ProgramFacts program;
     EXPECT_TRUE(operation_rows(program).empty());
     program.operations = {operation("FACE", 1, 10), operation("FACE", 1, 3)};
     EXPECT_TRUE(operation_rows(program).empty());
@@ -95,7 +97,7 @@ TEST(LedgerOperations, SumRowsAndForgetUnknownTimes) {
     rows[3].length_mm = 0.0;
     EXPECT_TRUE(ledger_operations(all).empty()) << "one operation alone cuts";
     rows[3].length_mm = 20.0;
-    for (CheckedOperation& operation : all.operations)
+    for (simulation::CheckedOperation& operation : all.operations)
         operation.name.clear();
     EXPECT_TRUE(ledger_operations(all).empty()) << "without a name";
 }

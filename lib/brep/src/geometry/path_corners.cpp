@@ -210,7 +210,6 @@ std::vector<Vec3> common_points_of_circles(const CentrePath& a, const CentrePath
 }  // namespace
 
 std::optional<Vec3> crossing_of_grooves(const Form& a, const Form& b, Vec3 p) {
-    constexpr double kLeastSine = 0.01;  // of the angle between both paths
     const auto one = centre_path(a), other = centre_path(b);
     if (!one || !other || !is_near(one->ball, other->ball) ||
         (one->reach == 0.0 && other->reach == 0.0))
@@ -221,7 +220,7 @@ std::optional<Vec3> crossing_of_grooves(const Form& a, const Form& b, Vec3 p) {
     std::optional<Vec3> nearest;
     for (const Vec3& centre : common) {
         const Vec3 out = cross(one->direction_at(centre), other->direction_at(centre));
-        if (norm(out) < kLeastSine) continue;
+        if (norm(out) < 10.0 * kLeastSine) continue;
         for (const double sign : {-1.0, 1.0}) {
             const Vec3 at = centre + (sign * one->ball) * normalized(out);
             if (!nearest || norm(at - p) < norm(*nearest - p)) nearest = at;
