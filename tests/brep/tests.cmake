@@ -123,10 +123,12 @@ ncsim_judge_parts(tilted_facets --faceted --seeds 3000009 3000010 3000132
 # 1100082 a facet beside a floor as narrow as readers see, of which nothing was drawn once;
 # 101075 a cone whose edges went past its axis beside facets, which was cut in two there;
 # 8000175 a wall's upright edges one above the other, but for rounding, which was not closed;
-# 3002005 a line and an ellipse that touch in a corner of two loops, of which nothing was drawn.
+# 3002005 a line and an ellipse that touch in a corner of two loops, of which nothing was drawn;
+# 10001010 two crossing rings, whose pieces were one face that hung together in two points;
+# 10003058 a wall of a helix, which was cut off at a corner as a face without an end.
 ncsim_judge_parts(parts_that_were_faulty
   --seeds 60438 60794 60158 60607 20146 70560 70629 70744 70967 80079 80669 80857 80946
-  100387 1000019 1100031 8000028 101075 8000175 3002005
+  100387 1000019 1100031 8000028 101075 8000175 3002005 10001010 10003058
   NIGHTLY 40087 90603 1100082)
 
 # All grooves of a sample are of a ball that turns and cuts with its side; its volume, within what
@@ -171,12 +173,14 @@ set_tests_properties(brep.judged_programs_are_read_by_opencascade PROPERTIES
 # and misses its wall by 1e-8 mm; vertical arcs that begin below the top, one and two of them; a V-cutter
 # on a circle narrower than itself, and on two such circles in inches; a ball at the rim of the stock, and
 # grooves of a ball that cross. Booleans of OpenCASCADE take them, too; so they do a helical groove of three
-# turns, whose walls are 41 faces in the file.
+# turns, whose walls are 41 faces in the file; a ball on a circle narrower than itself, with a tip inside its
+# face; a ring and a line of a ball at one depth, and an engraving of rings, lines and arcs.
 set(for_booleans ${CMAKE_CURRENT_BINARY_DIR}/brep/for_booleans)
 foreach(expected IN ITEMS "arc-plunge 12 15619.062654" "lead-below-top 13 42011.719050"
     "leads 19 42126.030935" "lead-passes 19 93967.734115" "narrow-circle 12 15956.842678"
     "narrow-circles-inch 18 95923.808859" "ball-at-rim 7 23971.725666"
-    "crossing-balls 21 22497.026646" "long-helix 41 28165.075984 --tool T2=slot:D12:L1")
+    "crossing-balls 21 22497.026646" "ball-circle 8 31545.757550" "crossed-ring 14 94402.412591"
+    "engraved-rings 30 8540.532239" "long-helix 41 28165.075984 --tool T2=slot:D12:L1")
   separate_arguments(expected)
   list(POP_FRONT expected name faces volume)
   file(WRITE ${for_booleans}/${name}.expect
