@@ -13,7 +13,7 @@
 namespace ncsim::brep {
 
 PlaneCut::PlaneCut(const Form& form, const CutPlane& plane) : plane_(plane) {
-    std::visit([this](const auto& f) { cut(f); }, form);
+    std::visit([this](const auto& f) { this->cut(f); }, form);
     if (kind_ == Kind::Straight || kind_ == Kind::Round) count_ = branches_.size();
 }
 
