@@ -167,8 +167,8 @@ bool Chains::ends_before(const Chain& chain, std::uint32_t other, std::uint32_t 
     return false;
 }
 
-// Where a ball crossed its own path, both grooves touch in a point of their edge. Facets of both
-// end next to it.
+// Divides the edge of two grooves in the point in which both are tangent, if a ball crossed its own
+// path there. Corners of facets are near that point. Returns false if there is no such point.
 bool Chains::split_at_crossing(std::uint32_t number) {
     const Chain& chain = chains_[number];
     const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
@@ -190,7 +190,7 @@ bool Chains::split_at_crossing(std::uint32_t number) {
     return false;
 }
 
-// At the start of its i-th edge, which is to be at `at`.
+// Divides the chain at the start of its i-th half-edge. The new vertex is at `at`.
 void Chains::divide(std::uint32_t number, std::size_t i, Vec3 at) {
     const auto added = static_cast<std::uint32_t>(chains_.size());
     const auto vertex = static_cast<std::uint32_t>(vertices_.size());

@@ -289,7 +289,7 @@ private:
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
             if (is_as_it_was[was[f]]) continue;
             double miss = 0.0;
-            // Where the edges of facets are is known; 1 mm checks nothing but the loops.
+            // Edges of facets lie on their planes. With a tolerance of 1 mm, only loops can fail.
             if (part.faces[f].is_facet &&
                 (is_nonplanar(part, part.faces[f]) || !faults_of(part, f, 1.0, miss).empty()))
                 failures_.push_back({{group_of_face_[was[f]]}});

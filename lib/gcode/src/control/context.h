@@ -27,7 +27,7 @@
 
 namespace ncsim::gcode {
 
-/// What a program runs on. Constant during the program.
+/// Options and rules of the control. Constant during the program.
 struct Setup {
     const InterpreterOptions& options;
     const Rules& rules;

@@ -59,8 +59,8 @@ struct OpenContact {
     std::vector<Box> boxes;
 };
 
-/// What finer tools decide about an open contact: Certain, still open (Within), or empty: no
-/// contact.
+/// Decision about an open contact with finer tools: Certain, Within (still open), or empty (no
+/// contact).
 using ContactDecision = std::optional<Certainty>;
 
 /// Tools, machine, stock, selection of rules and assumptions of a verification.
