@@ -117,7 +117,7 @@ public:
         const Vec2 a = project(from), b = project(to);
         const double length = norm(to - from);
         for (int i = 1; i < kSamples / 2; ++i) {
-            const double t = static_cast<double>(i) / (kSamples / 2);
+            const double t = static_cast<double>(i) / (0.5 * kSamples);
             if (!has_inside({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)})) return false;
         }
         for (const auto& loop : loops_) {

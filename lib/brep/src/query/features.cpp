@@ -295,8 +295,8 @@ private:
                 if (dot(cross(own, along), other) > -kPointError || cosine < kPointError) continue;
                 double length = 0.0;
                 for (int i = 0; i < kSamples / 2; ++i)
-                    length += norm(track.at((i + 1.0) / (kSamples / 2)) -
-                                   track.at(i * 1.0 / (kSamples / 2)));
+                    length += norm(track.at((i + 1.0) / (0.5 * kSamples)) -
+                                   track.at(i * 1.0 / (0.5 * kSamples)));
                 edges.push_back({p, along, other, length});
             }
         }

@@ -335,7 +335,7 @@ private:
         const auto* torus = std::get_if<Torus>(&face.surface.form);
         if (torus && is_spindle(*torus) && face.loops.size() == 1) return false;
         for (int i = 0; i < kSamples / 2; ++i) {
-            const Vec3 q = cut.at(branch, 360.0 * (i + 0.371) / (kSamples / 2));
+            const Vec3 q = cut.at(branch, 360.0 * (i + 0.371) / (0.5 * kSamples));
             const auto normal = second_normal(face.surface.form, q, i);
             if (!normal) continue;
             const CutPlane second{*normal, dot(*normal, q)};
@@ -411,7 +411,7 @@ private:
         if (!f) return std::nullopt;
         const Vec3 out = normalized(q - f->centre);
         const Vec3 x = any_perpendicular(out);
-        const auto angle = sin_cos(180.0 * (turn + 0.129) / (kSamples / 2));
+        const auto angle = sin_cos(180.0 * (turn + 0.129) / (0.5 * kSamples));
         return normalized(angle.cos * x + angle.sin * cross(out, x));
     }
 
@@ -467,7 +467,7 @@ private:
         FlatChords chords;
         const double sign = trace.grows ? 1.0 : -1.0;
         for (int i = 0; i < kSamples / 4; ++i) {
-            const double a = turn * i / (kSamples / 4), b = turn * (i + 1) / (kSamples / 4);
+            const double a = turn * i / (0.25 * kSamples), b = turn * (i + 1) / (0.25 * kSamples);
             if (i > 0) chords.between.push_back(sheet_(exact.at(branch, from + sign * a)));
             refine(chords, exact, branch, from, sign, a, b, 0);
         }
