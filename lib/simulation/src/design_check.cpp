@@ -8,6 +8,7 @@
 #include "ncsim/setup/mesh_file.h"
 #include "ncsim/simulation/describe.h"
 #include "ncsim/verify/design_comparison.h"
+#include "ncsim/verify/region.h"
 
 #include "clip_to_box.h"
 

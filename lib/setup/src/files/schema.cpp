@@ -141,13 +141,14 @@ private:
         const Json& items = resolved(schema["items"]);
         const std::size_t least = schema.value("minItems", std::size_t{0});
         const bool has_size = least > 0 && schema.value("maxItems", std::size_t{0}) == least;
-        if (type_of(items) == "object") {
-            if (!all || !(all->empty() || all->is_array_of_tables()))
-                check_.fail(node, fmt::format("write [[{}]]", key));
-        } else if (has_size && (!all || all->size() != least)) {
-            fail(node, key, fmt::format("expected {} values in brackets", least));
-        } else if (!all) {
-            fail(node, key, expected_list(items));
+        const bool are_tables = type_of(items) == "object";
+        const bool is_expected = all && (are_tables ? all->empty() || all->is_array_of_tables()
+                                                    : !has_size || all->size() == least);
+        if (!is_expected) {
+            if (are_tables) check_.fail(node, fmt::format("write [[{}]]", key));
+            fail(node, key,
+                 has_size ? fmt::format("expected {} values in brackets", least)
+                          : expected_list(items));
         }
         for (const toml::node& element : *all)
             value(element, items, key);
@@ -189,7 +190,8 @@ private:
         }
     }
 
-    void fail(const toml::node& node, const std::string& key, const std::string& what) const {
+    [[noreturn]] void fail(const toml::node& node, const std::string& key,
+                           const std::string& what) const {
         check_.fail(node, fmt::format("'{}': {}", key, what));
     }
 
