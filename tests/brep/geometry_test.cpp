@@ -3,6 +3,7 @@
 // Small geometry that all surfaces use: the nearest point of an ellipse, common points of surfaces,
 // and angles that loops cover around an axis.
 #include "geometry/ellipse.h"
+#include "geometry/intersection_spline.h"
 #include "geometry/newton.h"
 #include "topology/angular_extent.h"
 
@@ -92,6 +93,45 @@ std::vector<Vec3> arc(double from, double to, double radius, double z) {
         points.push_back({radius * std::cos(a), radius * std::sin(a), z});
     }
     return points;
+}
+
+// Readers measure at both ends and at equal steps between; whatever deviates more, they doubt.
+TEST(ArcSpline, DeviatesMostAtItsEnds) {
+    constexpr int kPlaces = 997;
+    const Vec3 x{0.6, 0.0, 0.8}, y{0.0, 1.0, 0.0}, axis = cross(x, y);
+    for (const double radius : {0.05, 1.0, 20.0, 400.0}) {
+        for (const double sweep : {3.0, 95.0, 181.0, 350.0}) {
+            for (const auto& [first, last] : {std::array{2e-7, 2e-7}, std::array{-2e-7, 1e-3},
+                                              std::array{1e-4, 0.0}, std::array{0.0, -3e-6}}) {
+                const Circle circle{{1.0, 2.0, 3.0}, axis, radius};
+                const auto place = [&](double degrees, double off) {
+                    const double a = degrees * std::numbers::pi / 180.0;
+                    return circle.centre + (radius + off) * (std::cos(a) * x + std::sin(a) * y);
+                };
+                const Vec3 from = place(10.0, first), to = place(10.0 + sweep, last);
+                const Curve curve = arc_spline(circle, from, to);
+                const Track track(curve, from, to);
+                SCOPED_TRACE(testing::Message() << radius << ' ' << sweep << ' ' << last);
+                EXPECT_EQ(track.at(0.0), from);
+                EXPECT_EQ(track.at(1.0), to);
+                const auto off = [&](double t) {
+                    const Vec3 v = track.at(t) - circle.centre;
+                    EXPECT_NEAR(dot(v, axis), 0.0, 1e-12 * radius + 1e-13);
+                    return std::abs(norm(v) - radius);
+                };
+                const double most = std::max(std::abs(first), std::abs(last));
+                for (int i = 0; i <= kPlaces; ++i) {
+                    const double t = static_cast<double>(i) / kPlaces;
+                    EXPECT_LE(off(t), most + 1e-12) << t;
+                }
+                EXPECT_LT(off(0.5), 0.6 * most);
+                // The arc goes the whole way, evenly.
+                const Vec3 half = track.at(0.5) - circle.centre;
+                EXPECT_LT(norm(half - (place(10.0 + 0.5 * sweep, 0.0) - circle.centre)),
+                          1e-6 * radius + most);
+            }
+        }
+    }
 }
 
 TEST(AngularExtent, HasTheWidestGap) {

@@ -5,6 +5,8 @@
 // surfaces at equal steps of the parameter, so the speed must be low where steps are short.
 #include "geometry/intersection_spline.h"
 
+#include "ncsim/base/angles.h"
+
 #include "geometry/newton.h"
 #include "geometry/tolerances.h"
 
@@ -177,9 +179,22 @@ Spline through(Walk& walk, const std::vector<Knot>& knots) {
     return through(knots, even);
 }
 
-}  // namespace
-
-namespace {
+// Moves the ends of the spline by `first` and `last`, and the points between by less, as the square
+// of the distance from the other end.
+void move_ends(Spline& spline, Vec3 first, Vec3 last) {
+    const std::vector<double>& knots = spline.knots;
+    const double start = knots.front(), length = knots.back() - start;
+    const auto share_at = [&](std::size_t i) { return (knots[i] - start) / length; };
+    for (std::size_t i = 0; i < spline.points.size(); ++i) {
+        // Control points are a third of a piece away from their knot, except at the ends.
+        const bool is_end = i == 0 || i + 1 == spline.points.size();
+        const double s = share_at(i / 2);
+        const double t = is_end ? s : share_at(i % 2 == 0 ? i / 2 - 1 : i / 2 + 1);
+        const auto square = [](double p, double q) { return (p * p + 2.0 * p * q) / 3.0; };
+        spline.points[i] =
+            spline.points[i] + square(1.0 - s, 1.0 - t) * first + square(s, t) * last;
+    }
+}
 
 // Follows the curve from the first to the last point. Points determine the direction at an end if
 // they are farther from the end than the fraction `share` of the path.
@@ -233,6 +248,35 @@ std::optional<Spline> intersection_spline(const Form& a, const Form& b,
     // Near a sharp corner of the path, distant points lie behind.
     auto spline = follow(a, b, points, 0.2);
     return spline ? spline : follow(a, b, points, 0.05);
+}
+
+Spline arc_spline(const Circle& circle, Vec3 from, Vec3 to) {
+    const Vec3 x = normalized(radial_vector(circle.centre, circle.axis, from));
+    const Vec3 y = cross(circle.axis, x);
+    const Curve curve = circle;
+    const double sweep = Track(curve, from, to).sweep_degrees();
+    int pieces = 1;
+    SinCos handle = sin_cos(0.25 * sweep);
+    // By so much misses a cubic the arc: 4/27 r sin(w / 4)^6 / cos(w / 4)^2.
+    const auto miss = [&] {
+        const double square = handle.sin * handle.sin;
+        return 4.0 / 27.0 * circle.radius * square * square * square / (handle.cos * handle.cos);
+    };
+    while (sweep > 90.0 * pieces || miss() > kRounding)
+        handle = sin_cos(0.25 * sweep / ++pieces);
+    const double step = sweep / pieces;
+    const double width = circle.radius * step * kRadiansPerDegree;
+    const double speed = 4.0 * circle.radius * handle.sin / handle.cos / width;
+    std::vector<Knot> knots;
+    for (int i = 0; i <= pieces; ++i) {
+        const auto turn = sin_cos(i * step);
+        knots.push_back({circle.centre + circle.radius * (turn.cos * x + turn.sin * y),
+                         turn.cos * y - turn.sin * x});
+    }
+    Spline spline = through(knots, {std::vector(knots.size(), speed),
+                                    std::vector(static_cast<std::size_t>(pieces), width)});
+    move_ends(spline, from - spline.points.front(), to - spline.points.back());
+    return spline;
 }
 
 }  // namespace ncsim::brep

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Intersection curves that have no name (line, circle, ellipse), as splines.
+// Intersection curves as splines: curves that have no name (line, circle, ellipse), and arcs whose
+// corners miss their circle.
 #pragma once
 
 #include "ncsim/brep/curve.h"
@@ -17,5 +18,12 @@ namespace ncsim::brep {
 /// value if the forms are tangent inside the path or the path is lost.
 std::optional<Spline> intersection_spline(const Form& a, const Form& b,
                                           const std::vector<Vec3>& points);
+
+/// Returns the arc of `circle` from `from` to `to`, counter-clockwise about the axis, as a spline
+/// that ends in both points although they miss the circle. The deviation from the circle decreases
+/// from each end, by the square of the distance from the other end. So it is largest at an end:
+/// readers measure an edge at a few places, which include the ends, and doubt an edge that deviates
+/// more between them.
+Spline arc_spline(const Circle& circle, Vec3 from, Vec3 to);
 
 }  // namespace ncsim::brep

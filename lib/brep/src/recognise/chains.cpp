@@ -41,6 +41,16 @@ std::optional<Spline> spline_along_circle(const Form& a, const Form& b, Vec3 fro
     return spline;
 }
 
+// Returns the arc of `circle` between corners that miss it. The circle of a cylinder has its
+// radius.
+Spline arc_between(Circle circle, const Form& a, const Form& b, Vec3 from, Vec3 to) {
+    for (const Form* form : {&a, &b}) {
+        const auto* wall = std::get_if<Cylinder>(form);
+        if (wall && is_near(wall->radius, circle.radius)) circle.radius = wall->radius;
+    }
+    return arc_spline(circle, from, to);
+}
+
 // Is it in since the last trace?
 template <typename Key>
 bool is_new(const Key& key, std::set<Key>& all, std::set<Key>& now) {
@@ -453,12 +463,8 @@ void Chains::end_arcs_in_corners() {
             *circle = *ending;
             continue;
         }
-        std::vector<Vec3> points = points_of(chains_[c]);
-        points.front() = from;
-        points.back() = to;
-        if (auto spline = intersection_spline(groups_.form_of(chains_[c].left),
-                                              groups_.form_of(chains_[c].right), points))
-            chains_[c].curve = std::move(*spline);
+        chains_[c].curve = arc_between(*circle, groups_.form_of(chains_[c].left),
+                                       groups_.form_of(chains_[c].right), from, to);
     }
 }
 
@@ -568,13 +574,10 @@ void Chains::solve_chain(Chain& chain) {
     // have their ends there, and one direction.
     // Three faces that miss their corner touch there, whatever is known of their forms.
     const auto is_rounded = [](const Vertex& v) {
-        return (v.is_tangency || v.groups.size() == 3) && v.miss > 2.0 * kReaderMm;
+        return (v.is_tangency || v.groups.size() == 3) && v.miss > kReaderMm;
     };
-    if (!is_loop && circle && (is_rounded(from) || is_rounded(to))) {
-        points.front() = from.at;
-        points.back() = to.at;
-        if (auto spline = intersection_spline(a, b, points)) *curve = std::move(*spline);
-    }
+    if (!is_loop && circle && (is_rounded(from) || is_rounded(to)))
+        *curve = arc_between(*circle, a, b, from.at, to.at);
     chain.curve = std::move(*curve);
 }
 

@@ -119,6 +119,11 @@ ParameterSurface::Point ParameterSurface::point(Place place) const {
                   torus.minor * v.cos);
 }
 
+// On cones, lines of readers end elsewhere; on patches, a point farther off may have several feet.
+double ParameterSurface::farthest() const {
+    return patch_ || std::holds_alternative<Cone>(form_) ? 2.0 * kPointError : kTangencyGapMm;
+}
+
 std::optional<ParameterSurface::Place> ParameterSurface::first_place(Vec3 p) const {
     if (patch_) {
         Place best{};
@@ -223,8 +228,7 @@ private:
     std::optional<Node> node_at(double t, double inside, Place nearby) const {
         const Vec3 p = curve_.at(t).at;
         const auto at = surface_.place(p, nearby);
-        // Readers project what is farther off in their own way.
-        if (!at || !(norm(surface_.point(*at).at - p) <= 2.0 * kPointError)) return std::nullopt;
+        if (!at || !(norm(surface_.point(*at).at - p) <= surface_.farthest())) return std::nullopt;
         if (const auto slope = slope_at(t, *at)) return Node{t, *at, *slope};
         std::array<Place, 2> slopes{};
         for (std::size_t i = 0; i < slopes.size(); ++i) {
@@ -259,6 +263,8 @@ private:
 
     bool is_near(const Node& from, const Node& to) const {
         const double width = to.t - from.t;
+        // Readers measure edges at a few places, and doubt what is farther off between them.
+        const double slack = surface_.patch_ ? 1.5 : 1.0001;
         return std::ranges::all_of(std::array{0.2, 0.4, 0.6, 0.8}, [&](double s) {
             const double r = 1.0 - s;
             const Place at = r * r * (1.0 + 2.0 * s) * from.at + s * r * r * width * from.slope +
@@ -266,9 +272,9 @@ private:
             const Vec3 p = curve_.at(from.t + s * width).at;
             const double away = norm(surface_.point(at).at - p);
             if (away <= 0.7 * kReaderMm) return true;
-            if (away > 2.0 * kPointError) return false;
+            if (away > surface_.farthest()) return false;
             const auto nearest = surface_.place(p, at);
-            return nearest && away <= 1.5 * norm(surface_.point(*nearest).at - p);
+            return nearest && away <= slack * norm(surface_.point(*nearest).at - p);
         });
     }
 

@@ -32,10 +32,11 @@ public:
     static std::optional<ParameterSurface> of(const Part& part, const Face& face,
                                               std::shared_ptr<const Patch> patch);
 
-    /// Returns the curve of an edge, within 7e-8 mm or 1.5 times the distance of the edge from the
-    /// surface. Nothing if the edge is a parameter line that readers find without error (lines on
-    /// cylinders and cones, circles about the axis), if it touches a pole or an apex, if it
-    /// is off the surface by more than 2e-6 mm, or if no curve is as near as that.
+    /// Returns the curve of an edge, within 7e-8 mm or 1.0001 times (on patches 1.5 times) the
+    /// distance of the edge from the surface. Nothing if the edge is a parameter line that readers
+    /// find without error (lines on cylinders and cones, circles about the axis), if it touches a
+    /// pole or an apex, if it is off the surface by more than programs round (2e-6 mm on cones and
+    /// patches), or if no curve is as near as that.
     std::optional<ParameterCurve> curve_of(const Part& part, const Edge& edge) const;
 
 private:
@@ -51,6 +52,8 @@ private:
         : form_(std::move(form)), frame_(frame), patch_(std::move(patch)) {}
 
     Point point(Place place) const;
+    // Returns the largest distance of an edge that has a curve, mm.
+    double farthest() const;
     std::optional<Place> first_place(Vec3 p) const;
     // Returns the place nearest to `p`, from a place nearby.
     std::optional<Place> place(Vec3 p, Place nearby) const;
