@@ -73,6 +73,8 @@ Curve meridian(const Torus& torus, Vec3 normal, Vec3 p) {
 Curve ellipse(const Plane& plane, const Extrusion& extrusion) {
     const PlaneCut cut(extrusion, {plane.normal, dot(plane.normal, plane.origin)});
     const auto [centre, x, y] = *cut.exact(0);
+    // Readers begin an ellipse at its longer axis, which rounding may exchange.
+    if (std::abs(norm(x) - norm(y)) <= kRounding) return Circle{centre, plane.normal, norm(x)};
     return Ellipse{centre, plane.normal, normalized(x), norm(x), norm(y)};
 }
 

@@ -56,7 +56,9 @@ public:
             length_ = norm(part.vertices[edge.to] - part.vertices[edge.from]);
         } else {
             begin_ = track_.start_degrees() * kRadiansPerDegree;
-            if (begin_ < 0.0) begin_ += kTurn;
+            // Readers begin at 0, not at a turn, if the two differ by rounding.
+            if (begin_ < -kRounding) begin_ += kTurn;
+            if (begin_ > kTurn - kRounding) begin_ -= kTurn;
             length_ = track_.sweep_degrees() * kRadiansPerDegree;
         }
     }
@@ -121,7 +123,8 @@ ParameterSurface::Point ParameterSurface::point(Place place) const {
 
 // On cones, lines of readers end elsewhere; on patches, a point farther off may have several feet.
 double ParameterSurface::farthest() const {
-    return patch_ || std::holds_alternative<Cone>(form_) ? 2.0 * kPointError : kTangencyGapMm;
+    if (patch_) return 10.0 * kPointError;
+    return std::holds_alternative<Cone>(form_) ? 2.0 * kPointError : kTangencyGapMm;
 }
 
 std::optional<ParameterSurface::Place> ParameterSurface::first_place(Vec3 p) const {
