@@ -179,23 +179,6 @@ Spline through(Walk& walk, const std::vector<Knot>& knots) {
     return through(knots, even);
 }
 
-// Moves the ends of the spline by `first` and `last`, and the points between by less, as the square
-// of the distance from the other end.
-void move_ends(Spline& spline, Vec3 first, Vec3 last) {
-    const std::vector<double>& knots = spline.knots;
-    const double start = knots.front(), length = knots.back() - start;
-    const auto share_at = [&](std::size_t i) { return (knots[i] - start) / length; };
-    for (std::size_t i = 0; i < spline.points.size(); ++i) {
-        // Control points are a third of a piece away from their knot, except at the ends.
-        const bool is_end = i == 0 || i + 1 == spline.points.size();
-        const double s = share_at(i / 2);
-        const double t = is_end ? s : share_at(i % 2 == 0 ? i / 2 - 1 : i / 2 + 1);
-        const auto square = [](double p, double q) { return (p * p + 2.0 * p * q) / 3.0; };
-        spline.points[i] =
-            spline.points[i] + square(1.0 - s, 1.0 - t) * first + square(s, t) * last;
-    }
-}
-
 // Follows the curve from the first to the last point. Points determine the direction at an end if
 // they are farther from the end than the fraction `share` of the path.
 std::optional<Spline> follow(const Form& a, const Form& b, const std::vector<Vec3>& points,
@@ -255,14 +238,14 @@ Spline arc_spline(const Circle& circle, Vec3 from, Vec3 to) {
     const Vec3 y = cross(circle.axis, x);
     const Curve curve = circle;
     const double sweep = Track(curve, from, to).sweep_degrees();
-    int pieces = 1;
-    SinCos handle = sin_cos(0.25 * sweep);
+    int pieces = 3;
+    SinCos handle = sin_cos(0.25 * sweep / pieces);
     // By so much misses a cubic the arc: 4/27 r sin(w / 4)^6 / cos(w / 4)^2.
     const auto miss = [&] {
         const double square = handle.sin * handle.sin;
         return 4.0 / 27.0 * circle.radius * square * square * square / (handle.cos * handle.cos);
     };
-    while (sweep > 90.0 * pieces || miss() > kRounding)
+    while (sweep > 15.0 * pieces || miss() > kRounding)
         handle = sin_cos(0.25 * sweep / ++pieces);
     const double step = sweep / pieces;
     const double width = circle.radius * step * kRadiansPerDegree;
@@ -273,10 +256,10 @@ Spline arc_spline(const Circle& circle, Vec3 from, Vec3 to) {
         knots.push_back({circle.centre + circle.radius * (turn.cos * x + turn.sin * y),
                          turn.cos * y - turn.sin * x});
     }
-    Spline spline = through(knots, {std::vector(knots.size(), speed),
-                                    std::vector(static_cast<std::size_t>(pieces), width)});
-    move_ends(spline, from - spline.points.front(), to - spline.points.back());
-    return spline;
+    knots.front().at = from;
+    knots.back().at = to;
+    return through(knots, {std::vector(knots.size(), speed),
+                           std::vector(static_cast<std::size_t>(pieces), width)});
 }
 
 }  // namespace ncsim::brep
