@@ -16,5 +16,6 @@ ncsim_add_test(report
     scope_test.cpp
     shard_test.cpp
     text_parts_test.cpp
-    tile_file_test.cpp)
+    tile_file_test.cpp
+    verdict_formats_test.cpp)
 target_include_directories(ncsim_report_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/report/src)
