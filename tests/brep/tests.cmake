@@ -24,8 +24,10 @@ ncsim_add_test(brep
     solids.cpp
     surface_forms_test.cpp
     surface_text_test.cpp
+    surfaces_test.cpp
     swept_surfaces_test.cpp
     tilted_parts.cpp
+    topology_test.cpp
     vertex_distance_test.cpp)
 
 target_include_directories(ncsim_brep_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/brep/src)
