@@ -17,6 +17,7 @@ ncsim_add_test(brep
     part_check_test.cpp
     ramps_test.cpp
     random_parts.cpp
+    recognise_steps_test.cpp
     recognise_test.cpp
     rounding_test.cpp
     section_test.cpp
