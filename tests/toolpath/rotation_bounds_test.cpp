@@ -479,6 +479,49 @@ TEST(Walk, TakesStepsThatAreSmallEnoughForShanksWhereTheyAreWatched) {
 
 // The number of steps is an integer, so part of the permitted gain is left over; facets use the
 // rest, and no step is added for facets.
+// No bound is negative, and none decreases if the tool turns farther, moves farther, is farther
+// away, or if more places matter.
+TEST(RotationBounds, GrowWithEachOfTheirValues) {
+    using Value = double RotationBounds::*;
+    const std::vector<std::pair<Value, std::vector<double>>> values{
+        {&RotationBounds::turn_rad, {0.0, 0.01, 0.1, 0.5}},
+        {&RotationBounds::tilt_rad, {0.0, 0.05, 0.3}},
+        {&RotationBounds::tilt_bend_rad, {0.0, 0.002, 0.1}},
+        {&RotationBounds::moved_mm, {0.0, 0.1, 3.0}},
+        {&RotationBounds::tip_mm, {0.0, 8.0, 100.0}},
+        {&RotationBounds::lean, {0.0, 0.4, 1.0}},
+        {&RotationBounds::place_mm, {0.0, 3.0, 20.0, 150.0, kInf}}};
+    const Pose start = pose_at(place_at(0, 0, 0, 0, 0, 0));
+    const Pose end = pose_at(place_at(0, 0, 0, 0, 0, 2));
+    const auto missed = [](const RotationBounds& t, const ToolExtent& tool) {
+        return missed_mm(t, tool);
+    };
+    const auto gained = [&](const RotationBounds& t, const ToolExtent& tool) {
+        return gained_mm(start, end, t, tool);
+    };
+    for (const Tool& tool : {face_mill(100, 10), flat_end_mill(6, 40), ball_end_mill(10, 30)}) {
+        const ToolExtent extent{{extent_of(tool.pieces[0])}};
+        test::Random random(3);
+        for (int i = 0; i < 400; ++i) {
+            RotationBounds t;
+            for (const auto& [member, choices] : values)
+                t.*member = choices[random.next() % choices.size()];
+            const double least_missed = missed(t, extent), least_gained = gained(t, extent);
+            EXPECT_GE(least_missed, 0.0);
+            EXPECT_GE(least_gained, 0.0);
+            for (const auto& [member, choices] : values) {
+                RotationBounds more = t;
+                for (const double choice : choices) {
+                    if (choice <= t.*member) continue;
+                    more.*member = choice;
+                    EXPECT_GE(missed(more, extent), least_missed);
+                    EXPECT_GE(gained(more, extent), least_gained * (1 - 1e-12));
+                }
+            }
+        }
+    }
+}
+
 TEST(Walk, LeavesFacetsWhatStepsDoNotGain) {
     const Tool tool = flat_end_mill(6.0, 6.0);
     const Box stock{{-20, -20, -20}, {20, 20, 0}};
