@@ -17,6 +17,7 @@ ncsim_add_test(brep
     part_check_test.cpp
     ramps_test.cpp
     random_parts.cpp
+    recognise_steps_test.cpp
     recognise_test.cpp
     rounding_test.cpp
     section_test.cpp
@@ -24,8 +25,10 @@ ncsim_add_test(brep
     solids.cpp
     surface_forms_test.cpp
     surface_text_test.cpp
+    surfaces_test.cpp
     swept_surfaces_test.cpp
     tilted_parts.cpp
+    topology_test.cpp
     vertex_distance_test.cpp)
 
 target_include_directories(ncsim_brep_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/brep/src)

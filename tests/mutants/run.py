@@ -185,15 +185,22 @@ class Mutants:
         return stem + '.o', result.stderr if result.returncode else ''
 
     def refuse(self, error):
-        """Takes out the mutants in lines that the compiler refuses."""
+        """Takes out the mutants in lines that the compiler refuses, or else the next one above."""
         refused = set()
+        above = []
         for path, line in re.findall(r'^(/\S+?):(\d+):\d+: error:', error, re.MULTILINE):
             name = os.path.relpath(path, self.build.copy)
+            above += [(int(line) - site.line, self.order.index((site, change)))
+                      for _, site, change in self.chosen()
+                      if name == site.file and site.line < int(line)]
             for _, site, change in self.chosen():
                 last = site.line + self.contents[name][site.begin:site.end].count(
                     b'\n') if name == site.file else 0
                 if name == site.file and site.line <= int(line) <= last:
                     refused.add(self.order.index((site, change)))
+        if not refused and above:
+            # The initializer of a member, in a type of which the line has a constant.
+            refused.add(min(above)[1])
         if not refused:
             fail('does not compile:\n' + error)
         self.refused |= refused

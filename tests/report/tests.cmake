@@ -15,6 +15,8 @@ ncsim_add_test(report
     review_page_test.cpp
     scope_test.cpp
     shard_test.cpp
+    sheets_test.cpp
     text_parts_test.cpp
-    tile_file_test.cpp)
+    tile_file_test.cpp
+    verdict_formats_test.cpp)
 target_include_directories(ncsim_report_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/report/src)

@@ -1,17 +1,20 @@
+find_package(tinyxml2 9 CONFIG REQUIRED)
 find_package(tomlplusplus REQUIRED)
 ncsim_add_test(setup
-  LIBRARIES ncsim::setup zip tomlplusplus::tomlplusplus
+  LIBRARIES ncsim::setup zip tinyxml2::tinyxml2 tomlplusplus::tomlplusplus
   SOURCES
     budget_test.cpp
     digest_test.cpp
     freecad_machine_test.cpp
     fusion_machine_test.cpp
+    inputs_test.cpp
     job_test.cpp
     linuxcnc_machine_test.cpp
     mesh_text_test.cpp
     messages_test.cpp
     project_file_test.cpp
     schema_test.cpp
+    set_up_files_test.cpp
     set_ups_test.cpp
     three_points_test.cpp
     toml_text_test.cpp

@@ -4,10 +4,12 @@
 #include "ncsim/machine/presets.h"
 
 #include "../support/random.h"
+#include "motion/axis_path.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <string_view>
 
 namespace ncsim::toolpath {
@@ -168,6 +170,45 @@ TEST(JointPath, TheAxesKeepTheirBounds) {
         }
     }
     EXPECT_GT(closest, 0.8);
+}
+
+// Chords are within their stated distance of the curve, and half as many would not be.
+TEST(JointPath, SplinesAreNotMoreLegsThanNeeded) {
+    for (const double size : {1.0, 10.0, 100.0, 1000.0}) {
+        SCOPED_TRACE(size);
+        gcode::Spline spline;
+        spline.order = 4;
+        spline.knots = {0, 0, 0, 0, 1, 1, 1, 1};
+        const Vec3 points[] = {{0, 0, 0}, {1, 2, 0}, {2, -1, 0}, {3, 1, 0}};
+        for (const Vec3& p : points)
+            spline.control_points.push_back(
+                {Length::from_mm(size * p.x), Length::from_mm(size * p.y), 1.0});
+        spline.to = place(3 * size, size, 0);
+        Motion motion;
+        motion.action = spline;
+        const Legs legs = legs_of(motion, RapidPath{});
+        const SplineCurve curve(spline);
+        const auto farthest = [&](std::size_t chords) {
+            double most = 0.0;
+            const auto at = [&](double t) { return linear_axes(curve.at(t)); };
+            const double n = static_cast<double>(chords);
+            for (std::size_t k = 0; k < chords; ++k) {
+                const double i = static_cast<double>(k);
+                const Vec3 a = at(i / n), b = at((i + 1) / n);
+                for (const double t : {0.125, 0.25, 0.5, 0.75, 0.875})
+                    most = std::max(most, norm(at((i + t) / n) - a - t * (b - a)));
+            }
+            return most;
+        };
+        const std::size_t chords = legs.motions.size();
+        EXPECT_LE(farthest(chords), legs.missed_mm);
+        if (chords > 4) EXPECT_GT(farthest(chords / 2), 0.5 * legs.missed_mm);
+        for (std::size_t k = 0; k < chords; ++k) {
+            const Position from = *gcode::start_of(legs.motions[k]);
+            EXPECT_EQ(from, k == 0 ? spline.from : *gcode::end_of(legs.motions[k - 1]));
+        }
+        EXPECT_EQ(*gcode::end_of(legs.motions.back()), spline.to);
+    }
 }
 
 TEST(JointPath, DogLegsAreLegs) {

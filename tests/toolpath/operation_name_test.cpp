@@ -30,6 +30,10 @@ TEST(OperationName, IsNeitherASentenceNorAValueNorAMessage) {
           "https://example.org/post"})
         EXPECT_FALSE(operation_name_of(comment)) << comment;
     EXPECT_FALSE(operation_name_of(std::string(61, 'A')));
+    EXPECT_TRUE(operation_name_of(std::string(60, 'A')));
+    EXPECT_TRUE(operation_name_of("FACE THE TOP OF THE PART")) << "six words";
+    EXPECT_TRUE(operation_name_of("FACE  THE TOP  OF THE PART")) << "two blanks are one";
+    EXPECT_FALSE(operation_name_of("FACE THE TOP OF THE PART FIRST")) << "seven words";
     EXPECT_FALSE(operation_name_of(std::string(100'000, '-') + "A B"));
 }
 

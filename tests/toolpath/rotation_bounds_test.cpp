@@ -4,6 +4,7 @@
 #include "ncsim/toolpath/rotation_bounds.h"
 
 #include "ncsim/cda/polytope.h"
+#include "ncsim/machine/presets.h"
 #include "ncsim/toolpath/kinematics.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/trace.h"
@@ -479,6 +480,135 @@ TEST(Walk, TakesStepsThatAreSmallEnoughForShanksWhereTheyAreWatched) {
 
 // The number of steps is an integer, so part of the permitted gain is left over; facets use the
 // rest, and no step is added for facets.
+// The ball rolls inside the piece: its centre is the radius away from the bottom, and from the wall
+// at the rim.
+TEST(RotationBounds, CoreIsThePieceWithoutItsRounding) {
+    struct Row {
+        Tool tool;
+        double fillet, wall_degrees;  ///< Angle of the wall with the axis.
+        bool is_closed;               ///< The rounding goes over the top, too.
+    };
+    for (const Row& row :
+         {Row{bull_nose_end_mill(10, 2, 30), 2, 0, false}, Row{ball_end_mill(10, 30), 5, 0, false},
+          Row{tapered_end_mill(4, 2, 8, 30), 2, 8, false},
+          Row{tapered_end_mill(6, 1, 20, 25), 1, 20, false}, Row{lollipop_mill(12), 6, 0, true}}) {
+        SCOPED_TRACE(row.tool.pieces[0].profile.back().height);
+        const PieceExtent e = extent_of(row.tool.pieces[0]);
+        const double wall = row.wall_degrees * std::numbers::pi / 180;
+        EXPECT_NEAR(e.core_low_mm, row.fillet, 1e-9);
+        const double top = height_of(row.tool);
+        EXPECT_NEAR(e.core_high_mm,
+                    row.is_closed ? top - row.fillet : top + row.fillet * std::sin(wall), 1e-9);
+        EXPECT_NEAR(e.core_radius_mm,
+                    cutting_diameter_of(row.tool) / 2 - row.fillet * std::cos(wall), 1e-9);
+        EXPECT_EQ(e.open_above, !row.is_closed);
+        EXPECT_GE(e.core_high_mm, e.core_low_mm);
+    }
+    const PieceExtent flat = extent_of(flat_end_mill(10, 30).pieces[0]);
+    EXPECT_EQ(flat.core_low_mm, 0.0);
+    EXPECT_EQ(flat.core_high_mm, 30.0);
+    EXPECT_EQ(flat.core_radius_mm, 5.0);
+}
+
+// A motion needs about as many steps as its halves together.
+TEST(RotationBounds, StepsOfAMotionAreThoseOfItsHalves) {
+    test::Random random(8);
+    const ToolExtent tool = extent_of(flat_end_mill(10, 30));
+    const auto steps = [&](const Position& from, const Position& to) {
+        gcode::Motion motion;
+        motion.action = gcode::Linear{from, to};
+        return sample(motion, tool, SamplingOptions{}).poses.size() - 1;
+    };
+    for (int i = 0; i < 60; ++i) {
+        SCOPED_TRACE(i);
+        double at[2][6];
+        for (auto& place : at) {
+            for (int k = 0; k < 6; ++k)
+                place[k] = k < 3 ? random.within(-30, 30) : random.within(-90, 90);
+        }
+        const auto& a = at[0];
+        const auto& b = at[1];
+        const Position from = place_at(a[0], a[1], a[2], a[3], a[4], a[5]);
+        const Position to = place_at(b[0], b[1], b[2], b[3], b[4], b[5]);
+        const Position middle = place_at((a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2,
+                                         (a[3] + b[3]) / 2, (a[4] + b[4]) / 2, (a[5] + b[5]) / 2);
+        const std::size_t whole = steps(from, to);
+        const std::size_t halves = std::max(steps(from, middle), steps(middle, to));
+        EXPECT_LE(whole, 3 * halves + 1) << "bounds of the whole hold for its worst half";
+        EXPECT_GE(whole, halves);
+    }
+}
+
+TEST(RotationBounds, PlacesAreAsFarAsFromEachAxis) {
+    Kinematics machine{*machine::preset("xyzac-trt"), {}};
+    std::vector<machine::Joint*> rotary;
+    for (machine::Joint& joint : machine.chain.joints) {
+        if (joint.turns) rotary.push_back(&joint);
+    }
+    ASSERT_EQ(rotary.size(), 2U);
+    gcode::Motion motion;
+    motion.action = gcode::Linear{place_at(0, 0, 0, 0, 0, 0), place_at(0, 0, 0, 20, 0, 20)};
+    const ToolExtent tool = extent_of(flat_end_mill(10, 30));
+    for (const Vec3& apart : {Vec3{0, 0, 0}, Vec3{0, 80, 0}, Vec3{0, 30, -40}}) {
+        for (const int moved : {0, 1}) {
+            rotary[0]->through = rotary[1]->through = {};
+            rotary[static_cast<std::size_t>(moved)]->through = apart;
+            for (const Vec3& p : {Vec3{0, 0, 0}, apart, Vec3{5, -20, 10}}) {
+                const Samples samples =
+                    sample(motion, tool, SamplingOptions{}, Box{p, p}, &machine);
+                for (const machine::Joint* joint : rotary) {
+                    const Vec3 v = p - joint->through;
+                    const double far = norm(v - dot(v, joint->direction) * joint->direction);
+                    EXPECT_GE(samples.turning.place_mm, far - 1e-9);
+                }
+            }
+        }
+    }
+}
+
+// No bound is negative, and none decreases if the tool turns farther, moves farther, is farther
+// away, or if more places matter.
+TEST(RotationBounds, GrowWithEachOfTheirValues) {
+    using Value = double RotationBounds::*;
+    const std::vector<std::pair<Value, std::vector<double>>> values{
+        {&RotationBounds::turn_rad, {0.0, 0.01, 0.1, 0.5}},
+        {&RotationBounds::tilt_rad, {0.0, 0.05, 0.3}},
+        {&RotationBounds::tilt_bend_rad, {0.0, 0.002, 0.1}},
+        {&RotationBounds::moved_mm, {0.0, 0.1, 3.0}},
+        {&RotationBounds::tip_mm, {0.0, 8.0, 100.0}},
+        {&RotationBounds::lean, {0.0, 0.4, 1.0}},
+        {&RotationBounds::place_mm, {0.0, 3.0, 20.0, 150.0, kInf}}};
+    const Pose start = pose_at(place_at(0, 0, 0, 0, 0, 0));
+    const Pose end = pose_at(place_at(0, 0, 0, 0, 0, 2));
+    const auto missed = [](const RotationBounds& t, const ToolExtent& tool) {
+        return missed_mm(t, tool);
+    };
+    const auto gained = [&](const RotationBounds& t, const ToolExtent& tool) {
+        return gained_mm(start, end, t, tool);
+    };
+    for (const Tool& tool : {face_mill(100, 10), flat_end_mill(6, 40), ball_end_mill(10, 30)}) {
+        const ToolExtent extent{{extent_of(tool.pieces[0])}};
+        test::Random random(3);
+        for (int i = 0; i < 400; ++i) {
+            RotationBounds t;
+            for (const auto& [member, choices] : values)
+                t.*member = choices[random.next() % choices.size()];
+            const double least_missed = missed(t, extent), least_gained = gained(t, extent);
+            EXPECT_GE(least_missed, 0.0);
+            EXPECT_GE(least_gained, 0.0);
+            for (const auto& [member, choices] : values) {
+                RotationBounds more = t;
+                for (const double choice : choices) {
+                    if (choice <= t.*member) continue;
+                    more.*member = choice;
+                    EXPECT_GE(missed(more, extent), least_missed);
+                    EXPECT_GE(gained(more, extent), least_gained * (1 - 1e-12));
+                }
+            }
+        }
+    }
+}
+
 TEST(Walk, LeavesFacetsWhatStepsDoNotGain) {
     const Tool tool = flat_end_mill(6.0, 6.0);
     const Box stock{{-20, -20, -20}, {20, 20, 0}};

@@ -91,6 +91,27 @@ TEST(SplineArcs, GoOnInOneDirectionNearTheCurve) {
     }
 }
 
+// A curve that is scaled with its tolerance has as many pieces, which are scaled likewise.
+TEST(SplineArcs, AreScaledWithTheCurve) {
+    const std::vector<std::array<double, 3>> points{{0, 0, 1},   {10, 30, 1}, {25, -20, 1},
+                                                    {30, 40, 1}, {45, 10, 1}, {38, -9, 1}};
+    const std::vector<double> knots{0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
+    const auto whole = arcs_of(spline_of(points, 4, knots), 0.01);
+    ASSERT_GT(whole.size(), 10U);
+    for (const double scale : {0.001, 0.03, 20.0}) {
+        auto scaled = points;
+        for (auto& [x, y, weight] : scaled)
+            x *= scale, y *= scale;
+        const auto pieces = arcs_of(spline_of(scaled, 4, knots), 0.01 * scale);
+        ASSERT_EQ(pieces.size(), whole.size()) << scale;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            EXPECT_LT(norm(pieces[i].to - scale * whole[i].to), 1e-6 * scale);
+            EXPECT_NEAR(pieces[i].radius, scale * whole[i].radius, 1e-6 * scale * whole[i].radius);
+            EXPECT_NEAR(pieces[i].swept_degrees, whole[i].swept_degrees, 1e-5);
+        }
+    }
+}
+
 // A quarter circle as a rational spline is a quarter circle, in two arcs.
 TEST(SplineArcs, OfACircleAreTheCircle) {
     const Spline quarter =

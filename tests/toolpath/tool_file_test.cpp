@@ -174,6 +174,22 @@ TEST(ToolFile, OfKiriIsAList) {
               "T7 v-cutter D6 L3\n");
 }
 
+TEST(ToolFile, OfKiriHasShanksInTheUnitOfTheTool) {
+    for (const bool metric : {true, false}) {
+        const double unit = metric ? 1.0 : 25.4;
+        const std::string text =
+            std::string(R"([{"number":5,"type":"endmill","flute_diam":0.5,"flute_len":2,)") +
+            R"("shaft_diam":0.75,"shaft_len":3,"metric":)" + (metric ? "true" : "false") + "}]";
+        const ToolFile file = read_tool_file({"tools.json", text});
+        ASSERT_EQ(file.tools.size(), 1U);
+        const ToolSpec& spec = file.tools[0].spec;
+        EXPECT_EQ(spec.diameter, 0.5 * unit);
+        EXPECT_EQ(spec.length, 2 * unit);
+        EXPECT_EQ(spec.shank_diameter, 0.75 * unit);
+        EXPECT_EQ(spec.shank_length, 3 * unit);
+    }
+}
+
 // Columns as Carbide Create writes them.
 TEST(ToolFile, OfCsvHasNamedColumns) {
     EXPECT_EQ(

@@ -9,8 +9,10 @@ ncsim_add_test(verify
     design_test.cpp
     evidence_test.cpp
     finding_fields_test.cpp
+    fixture_test.cpp
     guesses_test.cpp
     hole_course_test.cpp
+    machine_scene_test.cpp
     machine_test.cpp
     machining_time_test.cpp
     passes_test.cpp
@@ -21,6 +23,9 @@ ncsim_add_test(verify
     rule_limits_test.cpp
     selection_test.cpp
     solids_test.cpp
+    step_measurement_test.cpp
+    tables_test.cpp
+    tool_monitors_test.cpp
     totals_test.cpp
     travel_test.cpp
     verified.cpp)

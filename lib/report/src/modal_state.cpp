@@ -263,13 +263,16 @@ ModeNumbers numbers_of(const MachineState& s) {
     set(ModeGroup::Tool, {n(s.tool), n(s.selected_tool)});
     set(ModeGroup::Length,
         {n(s.length_register), n(s.length_specified), mm(s.frames.tool_offset[0]),
-         mm(s.frames.tool_offset[1]), mm(s.frames.tool_offset[2])});
+         mm(s.frames.tool_offset[1]), mm(s.frames.tool_offset[2]), s.frames.tool_offset[3],
+         s.frames.tool_offset[4], s.frames.tool_offset[5], mm(s.frames.tool_offset[6]),
+         mm(s.frames.tool_offset[7]), mm(s.frames.tool_offset[8])});
     set(ModeGroup::Compensation,
         {n(s.cutter_side), n(s.cutter_side) == 0.0 ? 0.0 : mm(s.cutter_radius)});
     set(ModeGroup::System,
         {n(s.system), s.frames.rotation, n(s.frame[0]), n(s.frame[1]), n(s.frame[2]),
          mm(s.frames.work_offset[0]), mm(s.frames.work_offset[1]), mm(s.frames.work_offset[2]),
-         s.frames.work_offset[3], s.frames.work_offset[4], s.frames.work_offset[5]});
+         s.frames.work_offset[3], s.frames.work_offset[4], s.frames.work_offset[5],
+         mm(s.frames.work_offset[6]), mm(s.frames.work_offset[7]), mm(s.frames.work_offset[8])});
     set(ModeGroup::Shift,
         {mm(s.frames.offset_92[0]), mm(s.frames.offset_92[1]), mm(s.frames.offset_92[2]),
          s.frames.offset_92[3], s.frames.offset_92[4], s.frames.offset_92[5],

@@ -84,14 +84,16 @@ Json sarif_rules() {
     return rules;
 }
 
-// Returns the index in the list of rules, followed by the reasons for doubt.
-std::size_t index_of(const std::string& id) {
+// Return the index in the list of rules, which the reasons for doubt follow. A few reasons have the
+// id of a rule.
+std::size_t index_of_rule(const std::string& id) {
     const auto rules = verify::rules();
-    const auto rule = std::ranges::find(rules, id, &verify::RuleInfo::id);
-    auto index = static_cast<std::size_t>(rule - rules.begin());
-    if (rule == rules.end())
-        index += static_cast<std::size_t>(verify::find_reason(id) - verify::reasons().data());
-    return index;
+    return static_cast<std::size_t>(std::ranges::find(rules, id, &verify::RuleInfo::id) -
+                                    rules.begin());
+}
+std::size_t index_of_reason(const std::string& id) {
+    return verify::rules().size() +
+           static_cast<std::size_t>(verify::find_reason(id) - verify::reasons().data());
 }
 
 // Returns the location of a file, or of the text between two places in the file.
@@ -133,7 +135,7 @@ Json result(const Checked& checked, const Finding& f, const std::string& line, S
     identity += trimmed(line);
     const int nth = seen[identity]++;
     Json json{{"ruleId", f.rule},
-              {"ruleIndex", index_of(f.rule)},
+              {"ruleIndex", index_of_rule(f.rule)},
               {"level", level_of(f.severity)},
               {"message", {{"text", message_of(f)}}},
               {"locations", {location(path, f.place, f.last)}},
@@ -162,7 +164,7 @@ Json result(const Checked& checked, const verify::Doubt& d, Seen& seen) {
     const int nth = seen[identity]++;
     const std::string_view fix = verify::find_reason(d.reason)->fix;
     Json json{{"ruleId", d.reason},
-              {"ruleIndex", index_of(d.reason)},
+              {"ruleIndex", index_of_reason(d.reason)},
               {"level", "warning"},
               {"message", {{"text", fmt::format("Not proven: {}. Fix: {}.", d.message, fix)}}},
               {"locations", {location(path, d.place)}},

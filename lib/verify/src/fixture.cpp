@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace ncsim::verify {
 
@@ -29,6 +30,11 @@ constexpr double kMargin = 1.0;
 
 Cell cell_of(const Box& box, const cda::Lattice& lattice) {
     return cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
+}
+
+// Returns a value that is larger for the worse contact: a certain clearance is no certain touch.
+std::pair<bool, bool> weight(const FixtureContact& contact) {
+    return {contact.touches, contact.certainty == Certainty::Certain};
 }
 
 }  // namespace
@@ -132,9 +138,12 @@ void FixtureScene::find_contact(int tool, const toolpath::Step& step,
             if (old == contacts.end()) {
                 contacts.push_back(contact);
             } else {
-                old->touches |= contact.touches;
-                old->certainty = contact.certainty;
-                old->box.add(contact.box);
+                contact.box.add(old->box);
+                if (weight(contact) < weight(*old)) {
+                    contact.touches = old->touches;
+                    contact.certainty = old->certainty;
+                }
+                *old = contact;
             }
         }
     }

@@ -73,7 +73,8 @@ bool is_straight_above(const toolpath::Tool& tool, double low) {
 double start_of_cylinder(const toolpath::Tool& tool) {
     double least = toolpath::cutting_height_of(tool);
     for (const toolpath::ToolPiece& piece : tool.pieces) {
-        for (const toolpath::ProfilePoint& p : piece.profile) {
+        // The corners of the slice include the ends of fillets.
+        for (const toolpath::ProfilePoint& p : toolpath::slice(piece, 0.0, kAll).profile) {
             if (p.height < least && is_straight_above(tool, p.height)) least = p.height;
         }
     }

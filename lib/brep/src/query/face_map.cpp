@@ -44,14 +44,19 @@ FaceMap::FaceMap(const Part& part, const Face& face)
     } else if (const auto* c = std::get_if<Cone>(form_)) {
         axes_.origin = c->apex;
     } else if (const auto* s = std::get_if<Sphere>(form_)) {
+        // Integral along the loops, exact for arcs, so it does not depend on their division.
         Vec3 sum;
+        double length = 0.0;
         for_edges(part, face, [&](const Track& track, double) {
-            for (const double t : {0.0, 0.25, 0.5, 0.75})
-                sum = sum + (track.at(t) - s->centre);
+            for (const double t : {0.0, 0.25, 0.5, 0.75}) {
+                const double chord = norm(track.at(t + 0.25) - track.at(t));
+                sum = sum + chord * (track.at(t + 0.125) - s->centre);
+                length += chord;
+            }
         });
         // The loops lie about in one plane, so the face is on their left on two sides.
         Vec3 middle = normalized(sum);
-        if (norm(sum) < 0.1 * s->radius) middle = face.frame.axis;
+        if (norm(sum) < 0.025 * length * s->radius) middle = face.frame.axis;
         axes_ = Axes(s->centre, {s->centre, middle, any_perpendicular(middle)});
     } else if (const auto* t = std::get_if<Torus>(form_)) {
         cut_ = cut_of(part, face, axes_, *t);

@@ -5,9 +5,9 @@
 
 #include "ncsim/base/angles.h"
 
-#include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <span>
-#include <utility>
 
 namespace ncsim::brep {
 
@@ -62,11 +62,14 @@ std::vector<std::vector<std::uint32_t>> shells_of(const cda::Boundary& boundary)
 std::vector<Nesting> nesting_of(const cda::Boundary& boundary) {
     const auto shells = shells_of(boundary);
     std::vector<Nesting> solids;
+    std::vector<double> volumes;  // of solids, sixfold
     std::vector<std::uint32_t> voids;
     for (std::uint32_t s = 0; s < shells.size(); ++s) {
         if (shells[s].empty()) continue;
-        if (sixfold_volume(boundary, shells[s]) > 0.0) {
+        const double volume = sixfold_volume(boundary, shells[s]);
+        if (volume > 0.0) {
             solids.push_back({s, {}});
+            volumes.push_back(volume);
         } else {
             voids.push_back(s);
         }
@@ -74,13 +77,17 @@ std::vector<Nesting> nesting_of(const cda::Boundary& boundary) {
     if (solids.empty() && voids.size() == 1) return {{voids.front(), {}}};
     for (const std::uint32_t s : voids) {
         const Vec3 point = boundary.vertices[boundary.faces[shells[s][0]].loops[0][0]];
-        // A single solid, the usual case, needs no test.
-        const auto enclosing =
-            std::find_if(solids.begin(), solids.end(), [&](const Nesting& solid) {
-                return solids.size() == 1 ||
-                       winding_number(boundary, shells[solid.outside], point) > 0.5;
-            });
-        if (enclosing != solids.end()) enclosing->voids.push_back(s);
+        // A single solid, the usual case, needs no test. Of solids in the voids of others, the
+        // innermost has the void.
+        const auto encloses = [&](std::size_t i) {
+            return solids.size() == 1 ||
+                   winding_number(boundary, shells[solids[i].outside], point) > 0.5;
+        };
+        std::optional<std::size_t> innermost;
+        for (std::size_t i = 0; i < solids.size(); ++i) {
+            if (encloses(i) && (!innermost || volumes[i] < volumes[*innermost])) innermost = i;
+        }
+        if (innermost) solids[*innermost].voids.push_back(s);
     }
     return solids;
 }

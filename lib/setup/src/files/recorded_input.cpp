@@ -22,7 +22,9 @@ std::string RecordedInput::read(const std::string& path, std::uintmax_t most) {
 
 bool RecordedInput::is_there(const std::string& path) {
     const bool is_so = inputs_.is_there(path);
-    files_.try_emplace(path);
+    const auto [file, is_new] = files_.try_emplace(path);
+    // The digest distinguishes a file that was not read from a missing file.
+    if (is_new && is_so) file->second = digest_of_file(path, inputs_);
     return is_so;
 }
 
