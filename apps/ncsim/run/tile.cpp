@@ -26,7 +26,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -129,9 +128,7 @@ std::optional<report::TileFile> cut_tile(const Options& options, setup::InputSet
     file.head = {options.words, read.files(), number.shard, number.of, read.knows_all()};
     for (const simulation::StockContact& met : simulation.stock_contacts)
         file.stock_contacts.emplace_back(met.motion, met.hulls);
-    std::ostringstream bytes;
-    simulation.part->write_tile(bytes);
-    file.tile = std::move(bytes).str();
+    file.tile = simulation::tile_data(*simulation.part);
     progress.hide();
     return file;
 }

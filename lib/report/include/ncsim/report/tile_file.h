@@ -35,7 +35,7 @@ struct TileFile {
     /// counts.
     std::vector<std::pair<std::uint64_t, std::uint64_t>> stock_contacts;
     std::string evidence;  ///< For `check`: lines of verify::bytes_of(), none of which is empty.
-    std::string tile;      ///< Output of WorkpieceModel::write_tile; for `check`, possibly empty.
+    std::string tile;      ///< Output of TreeCda::write_tile; for `check`, possibly empty.
     std::string digest;    ///< Digest of all preceding bytes, in a file that was read.
 };
 
