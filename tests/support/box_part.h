@@ -9,6 +9,7 @@
 #include "ncsim/mesh/provenance.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace ncsim::test {

@@ -235,10 +235,8 @@ int run(Options options) {
             return run_job(options, steps, [](Options one) { return run(std::move(one)); });
     }
     if (!options.tile.empty()) return run_tile(options);
-    setup::InputSet inputs;
+    setup::InputSet inputs(inputs_of(options));
     OutputSet outputs(inputs);
-    for (const std::string& path : inputs_of(options))
-        inputs.expect(path);
     const bool has_design = options.colouring == exporter::Colouring::Design;
     // A project or a job may name the design, so the parser of the command line cannot judge.
     if (has_design && options.design.empty())
