@@ -3,6 +3,7 @@
 // Cuts a slot with a model of the workpiece that has a height for each point of a grid, 0.5 mm
 // apart: not exact, and for tools from above alone.
 //     own_model
+#include "ncsim/cda/tree.h"
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/toolpath/sampler.h"
@@ -44,11 +45,17 @@ public:
     std::unique_ptr<cda::WorkpieceModel> clone() const override {
         return std::make_unique<HeightMap>(*this);
     }
-    // Queries that this model does not answer.
-    bool contains(Vec3) const override { throw cda::CannotAnswer(name(), "points"); }
-    cda::RemovalByMotion account() const override { throw cda::CannotAnswer(name(), "accounts"); }
-    void render(cda::FacetCanvas&) const override { throw cda::CannotAnswer(name(), "facets"); }
-    cda::Boundary boundary() const override { throw cda::CannotAnswer(name(), "its surface"); }
+    // Returns the surface of the stock without the box above each point of the grid.
+    cda::Boundary boundary() const override {
+        constexpr Vec3 kHalf{kStep / 2, kStep / 2, 0};
+        cda::TreeCda part(
+            cda::box_cell(lattice_.round(box_.min), lattice_.round(box_.max), lattice_), lattice_);
+        for (const Vec3& top : tops_)
+            part.subtract_unmeasured(cda::box_cell(
+                lattice_.round(top - kHalf),
+                lattice_.round(Vec3{top.x, top.y, box_.max.z + 1} + kHalf), lattice_));
+        return part.boundary();
+    }
 
 private:
     static constexpr double kStep = 0.5;  // mm
@@ -88,5 +95,6 @@ int main() {
             cutter.trace(path.poses[i - 1], path.poses[i], {}, hulls);
         part.subtract_unmeasured(hulls);
     });
-    std::cout << part.volume() << " mm3 are left\n";
+    std::cout << part.volume() << " mm3 are left, with " << part.boundary().faces.size()
+              << " faces\n";
 }

@@ -94,7 +94,7 @@ private:
     void flush() {
         const double start = cpu_seconds();
         for (const cda::RoundSweep& sweep : sweeps_)
-            part_.subtract_sweep(sweep);
+            dynamic_cast<cda::SweepModel&>(part_).subtract_sweep(sweep);
         if (!cells_.empty()) part_.subtract_unmeasured(cells_);
         cutting_.seconds += cpu_seconds() - start;
         sweeps_.clear();
@@ -115,7 +115,8 @@ Cutting cut_alone(const simulation::Plan& plan, const simulation::Survey& survey
     toolpath::ToolAccuracy accuracy;
     accuracy.tolerance_mm = plan.tool_tolerance;
     toolpath::Walk walk(stock.lattice, survey.stock->box,
-                        {.accuracy = accuracy, .prefers_sweeps = part->supports_sweeps()});
+                        {.accuracy = accuracy,
+                         .prefers_sweeps = dynamic_cast<cda::SweepModel*>(part.get()) != nullptr});
     for (const auto& [number, used] : survey.tools)
         walk.add_tool(number, used.tool);
     Cutting cutting;

@@ -48,20 +48,19 @@ void measure(const std::filesystem::path& folder, const std::filesystem::path& f
     render.camera = exporter::fit_camera(survey.stock->box, exporter::View::Iso, 1024.0 / 768.0);
     const auto steps = part.steps().size();
     std::vector<double> rendering(steps, -1.0);
-    const auto stock =
-        part.create(cda::box_cell(run.lattice.round(survey.stock->box.min),
-                                  run.lattice.round(survey.stock->box.max), run.lattice),
-                    run.lattice);
+    cda::FlatCda stock(cda::box_cell(run.lattice.round(survey.stock->box.min),
+                                     run.lattice.round(survey.stock->box.max), run.lattice),
+                       run.lattice);
     for (std::size_t i = 0; i < steps; ++i) {
         cda::Cell cell;
         for (const auto& facet : part.negative()[i].body.facets())
             cell.planes.push_back(facet.plane);
         cell.origin = part.negative()[i].origin;
         cell.bounds = survey.stock->box;
-        stock->subtract(cell);
+        stock.subtract(cell);
         if (i % std::max<std::size_t>(1, steps / 20) != 0 && i + 1 != steps) continue;
         const double start = seconds();
-        exporter::render_model(*stock, run.provenance, render);
+        exporter::render_model(stock, run.provenance, render);
         rendering[i] = seconds() - start;
     }
 

@@ -106,16 +106,26 @@ TEST(Tiles, MayHaveNothing) {
     expect_same(part->boundary(), whole.boundary());
 }
 
-TEST(Tiles, AreAskedForNothingElse) {
-    TreeCda tile(kStock, kLattice, parameters_for(TileNumber{0, 2}));
-    EXPECT_THROW((void)tile.boundary(), CannotAnswer);
-    std::ostringstream bytes;
-    EXPECT_THROW(TreeCda(kStock, kLattice).write_tile(bytes), CannotAnswer);
-    const auto part = Tiles::model(std::make_shared<const Tiles>(tiles_of(kStock, {}, 1)))
+TEST(Tiles, AloneHaveNoSurface) {
+    EXPECT_THROW((void)TreeCda(kStock, kLattice, parameters_for(TileNumber{0, 2})).boundary(),
+                 std::logic_error);
+}
+
+TEST(Tiles, TogetherKnowWhichPointsAreInThePart) {
+    const auto cuts = random_cuts(5, 20, 60000);
+    TreeCda whole(kStock, kLattice, parameters_for({}));
+    mill(whole, cuts);
+    const auto part = Tiles::model(std::make_shared<const Tiles>(tiles_of(kStock, cuts, 3)))
                           ->create(kStock, kLattice);
-    EXPECT_THROW((void)part->contains({}), CannotAnswer);
-    EXPECT_THROW((void)part->account(), CannotAnswer);
-    EXPECT_THROW(part->subtract(kStock), CannotAnswer);
+    std::size_t inside = 0;
+    for (int i = 0; i < 125; ++i) {
+        const Vec3 point{i / 25 * 1.53 - 3.07, i / 5 % 5 * 1.51 - 3.03, i % 5 * 1.49 - 2.99};
+        EXPECT_EQ(part->contains(point), whole.contains(point)) << i;
+        inside += part->contains(point) ? 1 : 0;
+    }
+    EXPECT_GT(inside, 10U);
+    EXPECT_LT(inside, 115U);
+    EXPECT_EQ(part->subtract(cuts[0]), 0.0);  // is cut already
 }
 
 using DirectedEdge = std::pair<Vec3, Vec3>;

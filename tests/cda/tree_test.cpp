@@ -379,7 +379,8 @@ TEST(TreeCda, AnswersManyThreadsAtATime) {
                 same[t] = inside && asked.common_volume(kStock) == removed &&
                           asked.volume() == volume && copy.volume() == 0.0 &&
                           asked.boundary().vertices == expected.vertices &&
-                          asked.account().size() == asked.clone()->account().size();
+                          asked.account().size() ==
+                              dynamic_cast<const VerifyingModel&>(*asked.clone()).account().size();
             });
         }
     }

@@ -61,8 +61,9 @@ Comparison compare(const Image& stencil, const Image& boundary) {
     return result;
 }
 
-void expect_same_picture(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
-                         View view, Projection projection) {
+template <class Model>
+void expect_same_picture(const Model& model, const mesh::Provenance& provenance, View view,
+                         Projection projection) {
     SCOPED_TRACE(name(view));
     const cda::Boundary boundary = model.boundary();
     const RenderOptions options = options_for(boundary, view, projection);
@@ -160,7 +161,8 @@ std::size_t path_pixels(const Image& with, const Image& without) {
 
 // Expects the same picture from all ways of drawing. The slow way, which draws every sample of
 // every pixel, is the oracle.
-void expect_same_in_all_ways(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
+template <class Model>
+void expect_same_in_all_ways(const Model& model, const mesh::Provenance& provenance,
                              const RenderOptions& options, const Overlay& overlay = {}) {
     const cda::Boundary boundary = model.boundary();
     const auto draw = [&](bool by_masks, const RenderOptions& how) {

@@ -38,7 +38,7 @@ set(floors_app system options run commands check merge)
 
 # A public header is on the floor of the source of its name. FOLDER:HEADER for headers without a source.
 set(headers_base text:ascii text:number_text text:version numbers:int128 numbers:mix numbers:vec2 geometry:vec3 geometry:triangle_mesh)
-set(headers_cda exact:tile_number exact:origin polytope:sweep flat:visitor)
+set(headers_cda exact:tile_number exact:origin polytope:sweep flat:cell_model)
 set(headers_toolpath polytope:tool_pose polytope:side)
 set(headers_brep geometry:facets)
 set(headers_export render:image render:overlay render:render_options formats:drawing formats:moving_scene)

@@ -150,7 +150,7 @@ std::unique_ptr<cda::WorkpieceModel> cut_of(const Scene& scene, std::size_t thre
         if (const auto* cell = std::get_if<cda::Cell>(&cut)) {
             part->subtract_unmeasured(*cell);
         } else {
-            part->subtract_sweep(std::get<cda::RoundSweep>(cut));
+            dynamic_cast<cda::SweepModel&>(*part).subtract_sweep(std::get<cda::RoundSweep>(cut));
         }
     }
     return part;

@@ -34,7 +34,7 @@ set(simple "${SOURCE}/samples/simple.nc")
 expect(0 "^T1: [0-9.]+ mm at feed, [0-9.]+ mm at rapid\n$" read_program ${simple})
 expect(2 "cannot be read" read_program none.nc)
 expect(0 "^14800 mm3 are left\n$" hulls)
-expect(0 "^14800 mm3 are left\n$" own_model)
+expect(0 "^14800 mm3 are left, with 10 faces\n$" own_model)
 expect(0 "cylinder, bore D[0-9.]+, line [0-9]+, T1\n.*plane, stock\n" solid_faces ${simple})
 file(WRITE "${examples}/passes.nc" "(T1 D=10. CR=0. - flat end mill)\n(STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n"
   "G21 G90 G17 (FROM/0.,0.,100.) T1 M6 S1000 M3\nG0 X-30. Y0. Z1.\nG0 X-31.\nG0 Z-2.\nG1 X30. F500.\nG0 Z5.\nM30\n")

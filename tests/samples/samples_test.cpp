@@ -410,7 +410,8 @@ TEST_P(Samples, LookTheSameThroughTheStencilAndAsASurface) {
     options.edges = false;
     options.samples = 1;
     options.camera = exporter::fit_camera(s.survey.stock->box, exporter::View::Iso, 640.0 / 480.0);
-    const exporter::Image masked = exporter::render_model(*s.flat.part, s.flat.provenance, options);
+    const exporter::Image masked = exporter::render_model(
+        dynamic_cast<const cda::CellModel&>(*s.flat.part), s.flat.provenance, options);
     const exporter::Image surface =
         exporter::render_boundary(s.boundary, s.tree.provenance, options);
     ASSERT_EQ(masked.pixels.size(), surface.pixels.size());

@@ -222,23 +222,6 @@ cda::Boundary boundary_of(const BoxPart& part) {
     return boundary;
 }
 
-std::unique_ptr<cda::WorkpieceModel> BoxModel::create(const cda::Cell&, const cda::Lattice&) const {
-    return clone();
-}
-double BoxModel::subtract(const cda::Cell&) {
-    return 0.0;
-}
-cda::RemovalByMotion BoxModel::account() const {
-    return {};
-}
-
-std::unique_ptr<cda::WorkpieceModel> BoxModel::clone() const {
-    return std::make_unique<BoxModel>(part_);
-}
-bool BoxModel::contains(Vec3) const {
-    return false;
-}
-
 void BoxModel::render(cda::FacetCanvas& canvas) const {
     for (int i = -1; i < static_cast<int>(part_.cuts.size()); ++i)
         draw_box(canvas, part_, i);

@@ -5,11 +5,11 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/workpiece.h"
+#include "ncsim/cda/cell_model.h"
 #include "ncsim/mesh/provenance.h"
 
 #include <array>
-#include <memory>
+#include <utility>
 #include <vector>
 
 namespace ncsim::test {
@@ -38,26 +38,16 @@ struct BoxPart {
 /// Requires: no two cells touch only in an edge, because a Boundary cannot represent that contact.
 cda::Boundary boundary_of(const BoxPart& part);
 
-/// Model that renders facets with masks, by the facet rule for axis-parallel boxes.
-class BoxModel : public cda::WorkpieceModel {
+/// Renders the facets of a part with masks, by the facet rule for axis-parallel boxes.
+class BoxModel : public cda::FacetModel {
 public:
     explicit BoxModel(BoxPart part) : part_(std::move(part)) {}
 
-    std::string_view name() const override { return "boxes"; }
-    const cda::Lattice& lattice() const override { return lattice_; }
-    std::unique_ptr<cda::WorkpieceModel> create(const cda::Cell& stock,
-                                                const cda::Lattice& lattice) const override;
-    double subtract(const cda::Cell& cell) override;
-    cda::RemovalByMotion account() const override;
     void render(cda::FacetCanvas& canvas) const override;
-    std::unique_ptr<cda::WorkpieceModel> clone() const override;
-    double volume() const override { return cda::volume(boundary()); }
-    cda::Boundary boundary() const override { return boundary_of(part_); }
-    bool contains(Vec3 point) const override;
+    cda::Boundary boundary() const { return boundary_of(part_); }
 
 private:
     BoxPart part_;
-    cda::Lattice lattice_;
 };
 
 /// Returns 60 × 40 × 20 mm with a groove in three abutting passes, a slot across the groove and a

@@ -30,7 +30,7 @@ void take(const gcode::Motion& motion, cda::Origin origin, verify::Verifier& ver
     verifier.begin(motion, part);
     if (part) {
         walk.take(motion, origin, [&](const toolpath::Step& step) {
-            verifier.before_cut(step, *part);
+            verifier.before_cut(step);
             double removed = 0.0;
             for (const cda::Cell& cell : step.cells) {
                 if (verifier.measures_all()) {
@@ -39,15 +39,14 @@ void take(const gcode::Motion& motion, cda::Origin origin, verify::Verifier& ver
                     part->subtract_unmeasured(cell);
                 }
             }
-            verifier.after_cut(step, *part, removed);
+            verifier.after_cut(step, removed);
         });
-        walk.at_end_position(motion, origin, [&](const toolpath::Step& step) {
-            verifier.at_end_position(step, *part);
-        });
+        walk.at_end_position(motion, origin,
+                             [&](const toolpath::Step& step) { verifier.at_end_position(step); });
     }
-    if (!decide) return verifier.end(part);
+    if (!decide) return verifier.end();
     std::vector<verify::ContactDecision> decisions;
-    for (const verify::OpenContact& contact : verifier.end_steps(part))
+    for (const verify::OpenContact& contact : verifier.end_steps())
         decisions.push_back(decide(contact));
     verifier.judge(decisions);
 }

@@ -224,11 +224,9 @@ report::Checked verdict_of(const report::Checked& checked) {
 
 int run(CheckOptions options) {
     if (!options.tile.empty()) return check_tile(std::move(options));
-    setup::InputSet inputs;
+    setup::InputSet inputs(inputs_of(options));
     OutputSet outputs(inputs);
     if (options.github) outputs.claim_standard_output("--github");
-    for (const std::string& path : inputs_of(options))
-        inputs.expect(path);
     // The list is made before the outputs are opened, because a folder of programs may contain
     // temporary files of outputs.
     const ProgramList list = programs_of(options, inputs);

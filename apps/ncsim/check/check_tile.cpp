@@ -18,10 +18,8 @@
 namespace ncsim::app {
 
 int check_tile(CheckOptions options) {
-    setup::InputSet inputs;
+    setup::InputSet inputs(inputs_of(options));
     OutputSet outputs(inputs);
-    for (const std::string& path : inputs_of(options))
-        inputs.expect(path);
     const ShardNumber& number = options.number;
     const TilePlace place({options.tile_words, {}, number.shard, number.of}, options.tile_out);
     if (place.is_done(inputs)) return place.report_done("was verified before");
@@ -41,8 +39,7 @@ int check_tile(CheckOptions options) {
     simulation::TileResult seen = simulation::check_tile(std::move(plan), verification_options);
     report::TileFile file;
     file.head = {options.tile_words, read.files(), number.shard, number.of, read.knows_all()};
-    for (const simulation::StockContact& met : seen.stock_contacts)
-        file.stock_contacts.emplace_back(met.motion, met.hulls);
+    file.stock_contacts = std::move(seen.stock_contacts);
     file.evidence = verify::bytes_of(seen.evidence);
     file.tile = std::move(seen.tile);
     place.write(file, outputs);

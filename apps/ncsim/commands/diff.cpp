@@ -174,10 +174,8 @@ void complete(DiffOptions& o) {
 }
 
 int run(const DiffOptions& options) {
-    setup::InputSet inputs;
+    setup::InputSet inputs(inputs_of(options));
     OutputSet outputs(inputs);
-    for (const std::string& path : inputs_of(options))
-        inputs.expect(path);
     inputs.expect(options.new_program);
     outputs.reserve(options.json);
     outputs.reserve(options.html);

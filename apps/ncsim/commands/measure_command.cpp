@@ -73,10 +73,8 @@ int run(const MeasureOptions& options) {
         const std::vector<ChosenStep> steps = chosen_steps(options, aside);
         if (!steps.empty()) return measure_job(options, steps);
     }
-    setup::InputSet inputs;
+    setup::InputSet inputs(inputs_of(options));
     OutputSet outputs(inputs);
-    for (const std::string& path : inputs_of(options))
-        inputs.expect(path);
     simulation::Plan plan = plan_for(options, options, inputs);
     if (const auto machine = simulation::machine_for(options.machine, plan.job, inputs))
         simulation::apply_machine(plan, *machine);

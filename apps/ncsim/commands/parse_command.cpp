@@ -44,9 +44,7 @@ void add_options(cli::App& parse, ParseOptions& o) {
 }
 
 int run(const ParseOptions& options) {
-    setup::InputSet inputs;
-    for (const std::string& path : inputs_of(options))
-        inputs.expect(path);
+    setup::InputSet inputs(inputs_of(options));
     const setup::Job job = setup::read_job(static_cast<const setup::JobOptions&>(options), inputs);
     if (options.control) {
         const report::MissingCodes found =

@@ -92,10 +92,8 @@ void complete(SheetOptions& o) {
 }
 
 int run(const SheetOptions& options) {
-    setup::InputSet inputs;
+    setup::InputSet inputs(inputs_of(options));
     OutputSet outputs(inputs);
-    for (const std::string& path : inputs_of(options))
-        inputs.expect(path);
     outputs.reserve(options.html);
     const std::vector<ChosenStep> steps = chosen_steps(options, inputs);
     setup::JobFile file;

@@ -86,10 +86,8 @@ int print_sheet(const ToolsOptions& options, const std::string& set_up, setup::I
 
 // Writes the tools of the tables to options.convert.
 int convert(const ToolsOptions& options) {
-    setup::InputSet inputs;
+    setup::InputSet inputs(options.tool_tables);
     OutputSet outputs(inputs);
-    for (const std::string& path : options.tool_tables)
-        inputs.expect(path);
     outputs.reserve(options.convert);
     setup::JobFile file;
     file.units_assumed = file.dialect_assumed = true;
@@ -138,11 +136,9 @@ void complete(ToolsOptions& o) {
 
 int run(const ToolsOptions& options) {
     if (!options.convert.empty()) return convert(options);
-    setup::InputSet inputs;
+    setup::InputSet inputs(inputs_of(options));
     OutputSet outputs(inputs);
     if (options.json) outputs.claim_standard_output("--json");
-    for (const std::string& path : inputs_of(options))
-        inputs.expect(path);
     const std::vector<ChosenStep> steps = chosen_steps(options, inputs);
     if (steps.size() < 2) {
         ToolsOptions one = options;

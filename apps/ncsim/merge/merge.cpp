@@ -60,11 +60,9 @@ int run(MergeOptions options) {
         throw std::runtime_error(fmt::format("--{} is written of tiles, and there are none",
                                              options.of_run.front().first));
     }
-    setup::InputSet inputs;
+    setup::InputSet inputs(files);
     OutputSet outputs(inputs);
     if (options.github) outputs.claim_standard_output("--github");
-    for (const std::string& file : files)
-        inputs.expect(file);
     for (const std::string& path : outputs_of(options))
         outputs.reserve(path);
     const report::Shards shards(files);

@@ -3,6 +3,7 @@
 // Draws the part, with the machine, paths and tools.
 #include "run/picture.h"
 
+#include "ncsim/cda/cell_model.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/contact_sheet.h"
 #include "ncsim/export/marks.h"
@@ -274,7 +275,8 @@ exporter::Image view_of(const Outcome& outcome, exporter::View view, const ViewS
     // The thesis' method: rendering with masks.
     exporter::Image image =
         draws_cells(outcome.options)
-            ? exporter::render_model(*s.part, s.provenance, options, overlay(outcome))
+            ? exporter::render_model(dynamic_cast<const cda::CellModel&>(*s.part), s.provenance,
+                                     options, overlay(outcome))
             : exporter::render_boundary(*outcome.boundary, s.provenance, options, overlay(outcome),
                                         outcome.shading ? *outcome.shading : brep::Shading());
     if (has_marks(outcome.options)) {

@@ -6,6 +6,7 @@
 #include "ncsim/base/plain_text.h"
 #include "ncsim/brep/flat_part.h"
 #include "ncsim/brep/recognise.h"
+#include "ncsim/cda/cell_model.h"
 #include "ncsim/cda/triangulate.h"
 #include "ncsim/export/drawing.h"
 #include "ncsim/export/gltf.h"
@@ -178,8 +179,9 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         exporter::write_svg(out, drawn_sections(outcome), program);
     });
     outputs.write(o.save_stock, [&](std::ostream& out) { cda::write_shape(out, *outcome.left); });
-    outputs.write(o.stats, [&](std::ostream& out) { s.part->write_statistics(out); });
-    outputs.write(o.xml, [&](std::ostream& out) { s.part->write_cells(out); });
+    const auto* const cells = dynamic_cast<const cda::CellModel*>(s.part.get());
+    outputs.write(o.stats, [&](std::ostream& out) { cells->write_statistics(out); });
+    outputs.write(o.xml, [&](std::ostream& out) { cells->write_cells(out); });
 }
 
 // True if an output can be read by ncsim as stock, design or mesh.
@@ -233,10 +235,8 @@ int run(Options options) {
             return run_job(options, steps, [](Options one) { return run(std::move(one)); });
     }
     if (!options.tile.empty()) return run_tile(options);
-    setup::InputSet inputs;
+    setup::InputSet inputs(inputs_of(options));
     OutputSet outputs(inputs);
-    for (const std::string& path : inputs_of(options))
-        inputs.expect(path);
     const bool has_design = options.colouring == exporter::Colouring::Design;
     // A project or a job may name the design, so the parser of the command line cannot judge.
     if (has_design && options.design.empty())

@@ -25,8 +25,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <ostream>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -89,10 +89,8 @@ std::shared_ptr<const simulation::CutTiles> tiles_in_order(
     const std::vector<report::TileFile>& files, const std::vector<std::size_t>& order,
     const cda::Tiles::Read& read, unsigned threads) {
     auto cut = std::make_shared<simulation::CutTiles>();
-    for (const std::size_t file : order) {
-        for (const auto& [motion, hulls] : files[file].stock_contacts)
-            cut->stock_contacts.push_back({motion, hulls});
-    }
+    for (const std::size_t file : order)
+        std::ranges::copy(files[file].stock_contacts, std::back_inserter(cut->stock_contacts));
     std::ranges::sort(cut->stock_contacts, {}, &simulation::StockContact::motion);
     try {
         cut->tiles = std::make_shared<const cda::Tiles>(order.size(), read, threads);
@@ -127,20 +125,15 @@ std::optional<report::TileFile> cut_tile(const Options& options, setup::InputSet
         plan, survey, nothing, [&](std::uint64_t done) { progress.update(done); });
     report::TileFile file;
     file.head = {options.words, read.files(), number.shard, number.of, read.knows_all()};
-    for (const simulation::StockContact& met : simulation.stock_contacts)
-        file.stock_contacts.emplace_back(met.motion, met.hulls);
-    std::ostringstream bytes;
-    simulation.part->write_tile(bytes);
-    file.tile = std::move(bytes).str();
+    file.stock_contacts = simulation.stock_contacts;
+    file.tile = simulation::tile_data(*simulation.part);
     progress.hide();
     return file;
 }
 
 int run_tile(const Options& options) {
-    setup::InputSet inputs;
+    setup::InputSet inputs(inputs_of(options));
     OutputSet outputs(inputs);
-    for (const std::string& path : inputs_of(options))
-        inputs.expect(path);
     const ShardNumber& number = options.number;
     const TilePlace place({options.words, {}, number.shard, number.of}, options.tile_out);
     if (place.is_done(inputs)) return place.report_done("was cut before");

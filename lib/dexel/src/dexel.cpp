@@ -254,20 +254,6 @@ void Dexel::subtract_sweep(const cda::RoundSweep& sweep) {
     impl_->cut(sweep);
 }
 
-cda::RemovalByMotion Dexel::account() const {
-    throw cda::CannotAnswer(kName, "what each motion took");
-}
-
-void Dexel::render(cda::FacetCanvas& canvas) const {
-    const cda::Boundary surface = boundary();
-    for (const cda::BoundaryFace& face : surface.faces) {
-        std::vector<Vec3> outline;
-        for (const std::uint32_t corner : face.loops.front())
-            outline.push_back(surface.vertices[corner]);
-        canvas.draw({face.normal, face.origin, outline, {}});
-    }
-}
-
 std::unique_ptr<cda::WorkpieceModel> Dexel::clone() const {
     return std::unique_ptr<cda::WorkpieceModel>(new Dexel(std::make_unique<Impl>(*impl_)));
 }

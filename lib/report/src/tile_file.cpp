@@ -127,12 +127,12 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
     bytes.resize(end);
     std::size_t at = line + 1;
     while (at < bytes.size() && bytes[at] != '\n') {
-        std::pair<std::uint64_t, std::uint64_t> met;
+        simulation::StockContact met;
         const char* const last = bytes.data() + bytes.size();
-        const auto motion = std::from_chars(bytes.data() + at, last, met.first);
+        const auto motion = std::from_chars(bytes.data() + at, last, met.motion);
         if (motion.ec != std::errc() || motion.ptr == last || *motion.ptr != ' ')
             refuse_tile(name, "its motions cannot be read");
-        const auto hulls = std::from_chars(motion.ptr + 1, last, met.second);
+        const auto hulls = std::from_chars(motion.ptr + 1, last, met.hulls);
         if (hulls.ec != std::errc() || hulls.ptr == last || *hulls.ptr != '\n')
             refuse_tile(name, "its motions cannot be read");
         at = static_cast<std::size_t>(hulls.ptr - bytes.data()) + 1;

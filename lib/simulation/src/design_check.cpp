@@ -37,7 +37,7 @@ std::vector<verify::LineRange> lines_of(const DesignRegion& region, const Simula
     return verify::merged(std::move(lines));
 }
 
-Finding finding_for(const DesignRegion& region, const Simulation& simulation) {
+Finding finding_for(const DesignRegion& region, const Simulation& simulation, bool certain) {
     Finding f;
     const CutRecord& cut = simulation.cuts.at(static_cast<std::size_t>(region.origin));
     f.place = f.last = cut.place;
@@ -45,6 +45,8 @@ Finding finding_for(const DesignRegion& region, const Simulation& simulation) {
     f.tool = cut.tool;
     f.point = region.point;
     f.box = region.box;
+    f.certainty = certain ? verify::Certainty::Certain : verify::Certainty::Within;
+    f.severity = certain ? verify::Severity::Error : verify::Severity::Warning;
     return f;
 }
 
@@ -97,15 +99,13 @@ double excess_in(const DesignRegion& region, const Simulation& simulation) {
 }
 
 Finding gouge(const DesignRegion& region, const Design& design, const Simulation& simulation) {
-    Finding f = finding_for(region, simulation);
-    f.rule = "gouge";
     const double off = design.deflection_mm + excess_in(region, simulation);
     // A thin layer removed from the sides of a sharp edge moves the edge by many times its
     // thickness. The sides are gouged only if the missing material is deeper than the error of the
     // tools.
-    const bool certain = region.depth_mm > design.tolerance_mm + off && region.below_mm > off;
-    f.certainty = certain ? verify::Certainty::Certain : verify::Certainty::Within;
-    f.severity = certain ? verify::Severity::Error : verify::Severity::Warning;
+    Finding f = finding_for(region, simulation,
+                            region.depth_mm > design.tolerance_mm + off && region.below_mm > off);
+    f.rule = "gouge";
     f.message = "the part is cut into the design";
     const auto lines = lines_of(region, simulation);
     if (lines.size() > 1 || (!lines.empty() && lines.front().first != lines.front().last)) {
@@ -116,15 +116,13 @@ Finding gouge(const DesignRegion& region, const Design& design, const Simulation
 }
 
 Finding excess(const DesignRegion& region, const Design& design, const Simulation& simulation) {
-    Finding f = finding_for(region, simulation);
-    f.rule = "excess";
     const double off = design.deflection_mm + simulation.bounds.missed_mm;
     // Facets of a design deviate from its curves. Along a sharp edge the deviation is many times
     // the distance from the sides; so material thinner than the tolerance is not certain.
     const bool certain = region.depth_mm > design.tolerance_mm + off &&
                          region.below_mm > design.tolerance_mm / 2 + off;
-    f.certainty = certain ? verify::Certainty::Certain : verify::Certainty::Within;
-    f.severity = certain ? verify::Severity::Error : verify::Severity::Warning;
+    Finding f = finding_for(region, simulation, certain);
+    f.rule = "excess";
     f.message = "material is left that the design does not have";
     const auto lines = lines_of(region, simulation);
     f.message += lines.empty() ? ", where nothing was cut"

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace ncsim::simulation {
@@ -87,6 +89,12 @@ std::unique_ptr<cda::WorkpieceModel> make_model(std::string_view name,
     const ModelInfo* model = find_model(name);
     if (!model) throw std::invalid_argument("there is no model " + std::string(name));
     return kFactories[static_cast<std::size_t>(model - kModels.data())](parameters);
+}
+
+std::string tile_data(const cda::WorkpieceModel& part) {
+    std::ostringstream bytes;
+    dynamic_cast<const cda::TreeCda&>(part).write_tile(bytes);
+    return std::move(bytes).str();
 }
 
 }  // namespace ncsim::simulation

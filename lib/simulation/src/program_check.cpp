@@ -9,6 +9,7 @@
 #include "ncsim/simulation/apply_machine.h"
 #include "ncsim/simulation/describe.h"
 #include "ncsim/simulation/fixtures.h"
+#include "ncsim/simulation/models.h"
 #include "ncsim/simulation/page_data.h"
 #include "ncsim/simulation/play_recorder.h"
 #include "ncsim/simulation/simulate.h"
@@ -31,7 +32,6 @@
 #include <cmath>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -641,9 +641,7 @@ TileResult check_tile(Plan specified_plan, const VerificationOptions& verificati
     (void)simulation.part->volume();
     seen.stock_contacts = simulation.stock_contacts;
     seen.evidence = verifier.take_evidence();
-    std::ostringstream bytes;
-    simulation.part->write_tile(bytes);
-    seen.tile = std::move(bytes).str();
+    seen.tile = tile_data(*simulation.part);
     return seen;
 }
 

@@ -110,14 +110,100 @@ toolpath::WalkOptions walk_options(const Plan& plan, const Survey& survey,
     throw std::runtime_error("the tiles do not agree on which motions met the stock");
 }
 
+// Share of a process in the cuts of a part; here, all cuts. Motions are counted from 1, in the
+// order of execution.
+class CutShare {
+public:
+    explicit CutShare(const Simulation& result) : result_(result) {}
+    virtual ~CutShare() = default;
+    // Limits the cells of a motion to the share. Returns the origin of the motion.
+    virtual cda::Origin begin(std::uint64_t) {
+        return cda::Origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
+    }
+    // Returns whether the result names the motion, because the motion met the stock. The process
+    // cut `hulls` cells; `is_met`: the cells, or combined cells, are of this motion.
+    virtual bool end(std::uint64_t, std::uint64_t /*hulls*/, bool is_met) { return is_met; }
+    // Completes the result after the last motion. Throws: std::runtime_error if the tiles do not
+    // agree on the motions that met the stock.
+    virtual void finish() {}
+
+private:
+    const Simulation& result_;
+};
+
+// The cuts of one tile. A tile does not know which motions met the stock elsewhere, so the number
+// of the motion is the origin; the order is the same. Tiles record these motions in turns, and name
+// none.
+class OneTile final : public CutShare {
+public:
+    OneTile(cda::TileNumber tile, toolpath::Walk& walk, Simulation& result)
+        : CutShare(result),
+          tile_(tile),
+          walk_(walk),
+          result_(result),
+          place_(result.part->wanted()) {}
+
+    cda::Origin begin(std::uint64_t motion) override {
+        walk_.restrict_motions(is_turn(motion) ? std::nullopt : place_);
+        return cda::Origin{earlier_origins(result_.history.get()) +
+                           static_cast<std::uint32_t>(motion)};
+    }
+    bool end(std::uint64_t motion, std::uint64_t hulls, bool is_met) override {
+        if (is_met && is_turn(motion)) result_.stock_contacts.push_back({motion, hulls});
+        return false;
+    }
+
+private:
+    bool is_turn(std::uint64_t motion) const { return motion % tile_.of == tile_.tile; }
+
+    cda::TileNumber tile_;
+    toolpath::Walk& walk_;
+    Simulation& result_;
+    std::optional<Box> place_;
+};
+
+// No cuts, because processes with one tile each made all cuts.
+class JoinedTiles final : public CutShare {
+public:
+    JoinedTiles(const std::vector<StockContact>& contacts, toolpath::Walk& walk, Simulation& result)
+        : CutShare(result), contacts_(contacts), result_(result) {
+        walk.restrict_cells(Box{});
+    }
+
+    bool end(std::uint64_t motion, std::uint64_t, bool) override {
+        if (next_ == contacts_.size() || contacts_[next_].motion != motion) return false;
+        result_.hulls += contacts_[next_++].hulls;
+        result_.origins.emplace_back(motion, result_.provenance.entries.size());
+        return true;
+    }
+    void finish() override {
+        if (result_.boundary) name_motions(*result_.boundary, result_);
+        if (next_ != contacts_.size()) refuse_tiles();
+    }
+
+private:
+    const std::vector<StockContact>& contacts_;
+    Simulation& result_;
+    std::size_t next_ = 0;  // index into contacts_
+};
+
+std::unique_ptr<CutShare> cut_share(const Plan& plan, toolpath::Walk& walk, Simulation& result) {
+    if (plan.tile) return std::make_unique<OneTile>(*plan.tile, walk, result);
+    if (plan.tiles) return std::make_unique<JoinedTiles>(plan.tiles->stock_contacts, walk, result);
+    return std::make_unique<CutShare>(result);
+}
+
 // Cuts the part, motion by motion.
 class MaterialRemover {
 public:
     MaterialRemover(const Plan& plan, const Survey& survey, const Verification& verification,
                     Simulation& result)
         : result_(result),
+          sweeps_(dynamic_cast<cda::SweepModel*>(result.part.get())),
+          verified_(dynamic_cast<const cda::VerifyingModel*>(result.part.get())),
           walk_(result.lattice, survey.stock->box,
-                walk_options(plan, survey, verification, result.part->supports_sweeps())),
+                walk_options(plan, survey, verification, sweeps_ != nullptr)),
+          share_(cut_share(plan, walk_, result)),
           verifier_(verification.verifier),
           decide_(verification.decide),
           most_cuts_(verification.most_cuts),
@@ -130,14 +216,11 @@ public:
           keep_cuts_(verification.keep_cuts),
           play_(verification.play),
           keeps_cells_(plan.keep_removed_cells),
-          tile_(plan.tile),
-          tiles_(plan.tiles),
           budget_(plan.budget),
           tolerance_mm_(plan.tolerance),
           machine_(plan.placed),
           // Volumes measured by tiles are in their files, in the order of the tool changes.
           tool_volumes_(plan.tool_volumes || plan.tile || plan.tiles),
-          place_of_tile_(tile_ ? result.part->wanted() : std::nullopt),
           volume_(result.stock_volume),
           course_(plan.job.operations),
           runs_([&result](std::size_t cut, const gcode::Linear& line, double moved_mm) {
@@ -151,7 +234,7 @@ public:
         begin_provenance(verification.history.get());
         if (play_) play_->begin(*result.part);
         if (plan.block_volumes) places_.emplace();
-        if (places_ || (verifier_ && verifier_->needs_account())) result.part->track_removal();
+        if (places_ || (verifier_ && verifier_->needs_account())) accounts().track_removal();
     }
 
     /// Ignores all motions after the first `count`.
@@ -178,8 +261,7 @@ public:
     void finish(bool needs_surface) {
         // Computes the surface first, because this also computes the volume.
         if (needs_surface) result_.boundary = result_.part->boundary();
-        if (result_.boundary && tiles_) name_motions(*result_.boundary, result_);
-        if (tiles_ && next_contact_ != tiles_->stock_contacts.size()) refuse_tiles();
+        share_->finish();
         runs_.flush();
         const auto tool_position = result_.tool_position;
         change_tool(0);
@@ -195,7 +277,7 @@ public:
                                                    line_of(aliasing->gaps.origin)});
         }
         if (!places_) return;
-        for (const auto& [origin, taken] : result_.part->account()) {
+        for (const auto& [origin, taken] : accounts().account()) {
             const auto place = places_->find(origin);
             if (place != places_->end() && taken.volume > 0.0)
                 result_.removed_by_block[place->second] += taken.volume;
@@ -203,6 +285,8 @@ public:
     }
 
 private:
+    cda::AccountingModel& accounts() { return dynamic_cast<cda::AccountingModel&>(*result_.part); }
+
     static CutPath& set_path(CutRecord& cut, const gcode::Linear& line) {
         const auto place = [](const gcode::Position& p) {
             return Vec3{p.x.mm(), p.y.mm(), p.z.mm()};
@@ -234,33 +318,34 @@ private:
         if (course_.take(motion)) begin_operation();
         if (motion.tool != tool_) change_tool(motion.tool);
         const std::uint64_t hulls_before = result_.hulls;
-        const cda::Origin origin = begin_cut();
+        const cda::Origin origin = share_->begin(motions_);
         has_covered_ = false;
         if (play_) play_->begin_move(motion);
         verify::Verifier* const verifier =
             !only_motion_ || *only_motion_ == motions_ ? verifier_ : nullptr;
-        if (verifier) verifier->begin(motion, result_.part.get());
+        if (verifier) verifier->begin(motion, verified_);
         const toolpath::SampleBounds bounds =
             walk_.take(motion, origin, [&](const toolpath::Step& step) {
                 if (++result_.steps > most_steps_) throw StepLimit{};
                 follow(motion, step);
                 is_near_stock_ |= step.is_near;
-                if (verifier) verifier->before_cut(step, *result_.part);
+                if (verifier) verifier->before_cut(step);
                 if (last_removes_nothing_ && motions_ == most_motions_) return;
                 const double removed = cut(step, origin);
                 if (play_) play_->add_step(step);
-                if (verifier) verifier->after_cut(step, *result_.part, removed);
+                if (verifier) verifier->after_cut(step, removed);
                 budget_.check(result_.provenance.program, line_);
             });
         if (verifier) {
             walk_.at_end_position(motion, origin, [&](const toolpath::Step& step) {
-                verifier->at_end_position(step, *result_.part);
+                verifier->at_end_position(step);
             });
             end_motion(*verifier);
         } else if (!verifier_ && bounds.missed_mm > 1.001 * tolerance_mm_) {
             add_missed(motion, bounds.missed_mm);
         }
-        const bool has_met = has_met_stock(hulls_before);
+        const std::uint64_t hulls = result_.hulls - hulls_before;
+        const bool has_met = share_->end(motions_, hulls, hulls > 0 || has_covered_);
         if (play_) play_->end_move(has_met, *result_.part);
         if (!has_met) return;
         result_.last_cut = {motion.file, motion.span};
@@ -285,7 +370,7 @@ private:
     }
 
     void end_motion(verify::Verifier& verifier) {
-        const auto contacts = verifier.end_steps(result_.part.get());
+        const auto contacts = verifier.end_steps();
         std::vector<verify::ContactDecision> decisions;
         if (!contacts.empty() && decide_)
             std::ranges::transform(contacts, std::back_inserter(decisions), decide_);
@@ -331,15 +416,13 @@ private:
             result_.part->subtract_step({}, {}, step.preceding_cells);
         for (const cda::RoundSweep& sweep : step.sweeps) {
             ++result_.hulls;
-            result_.part->subtract_sweep(sweep);
+            sweeps_->subtract_sweep(sweep);
         }
         for (const cda::Cell& cell : step.cells) {
             ++result_.hulls;
             if (keeps_cells_) result_.carved.push_back(cell);
             if (measured_) {
-                // Rounding of a difference of sums may be negative; so may the share of a tile.
-                const double volume = result_.part->subtract(cell);
-                removed += tile_ ? volume : std::max(0.0, volume);
+                removed += result_.part->subtract(cell);
             } else if (verifier_) {
                 result_.part->subtract_unmeasured(cell);
             }
@@ -367,37 +450,6 @@ private:
                                    step.merged_cells.end());
         }
         return removed;
-    }
-
-    // Limits the cells of the next motion and returns its origin. A tile does not know which
-    // motions met the stock elsewhere, so it uses the number of the motion as origin; the order is
-    // the same.
-    cda::Origin begin_cut() {
-        if (!tile_) {
-            if (tiles_) walk_.restrict_cells(result_.part->wanted());
-            return cda::Origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
-        }
-        const bool is_turn = motions_ % tile_->of == tile_->tile;
-        walk_.restrict_motions(is_turn ? std::nullopt : place_of_tile_);
-        return cda::Origin{earlier_origins(result_.history.get()) +
-                           static_cast<std::uint32_t>(motions_)};
-    }
-
-    // True if the current motion met the stock. A tile records the motions of its turn, and returns
-    // false.
-    bool has_met_stock(std::uint64_t hulls_before) {
-        if (tiles_) {
-            const auto& met = tiles_->stock_contacts;
-            if (next_contact_ == met.size() || met[next_contact_].motion != motions_) return false;
-            result_.hulls += met[next_contact_++].hulls;
-            result_.origins.emplace_back(motions_, result_.provenance.entries.size());
-            return true;
-        }
-        const std::uint64_t hulls = result_.hulls - hulls_before;
-        const bool has_met = hulls > 0 || has_covered_;
-        if (tile_ && has_met && motions_ % tile_->of == tile_->tile)
-            result_.stock_contacts.push_back({motions_, hulls});
-        return !tile_ && has_met;
     }
 
     // Accounts the volume that was removed since the last call to the tool and the operation.
@@ -434,7 +486,10 @@ private:
     }
 
     Simulation& result_;
+    cda::SweepModel* sweeps_;              // null: the part is cut by cells alone
+    const cda::VerifyingModel* verified_;  // null: the part is not verified
     toolpath::Walk walk_;
+    std::unique_ptr<CutShare> share_;
     verify::Verifier* verifier_;
     std::function<verify::ContactDecision(const verify::OpenContact&)> decide_;
     std::optional<std::uint32_t> most_cuts_;
@@ -453,15 +508,12 @@ private:
     bool keep_cuts_;
     PlayRecorder* play_;
     bool keeps_cells_;
-    std::optional<cda::TileNumber> tile_;
-    std::shared_ptr<const CutTiles> tiles_;
     setup::Budget budget_;
     double tolerance_mm_;
     std::shared_ptr<const toolpath::Kinematics> machine_;
     std::uint32_t line_ = 0;  // line of the current motion
     int tool_ = 0;
     bool tool_volumes_;
-    std::optional<Box> place_of_tile_;
     double volume_;               // at the last tool change
     bool is_near_stock_ = false;  // whether the tool was near the stock since its change
     OperationCourse course_;
@@ -470,7 +522,6 @@ private:
     std::size_t operation_ = 0;
     bool has_covered_ = false;               // whether combined cells belong to the current motion
     std::vector<cda::Cell> combined_cells_;  // combined cells of steps that are not near
-    std::size_t next_contact_ = 0;           // index into the motions of tiles_
 };
 
 }  // namespace

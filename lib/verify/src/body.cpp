@@ -88,7 +88,7 @@ Cell clipped(const Cell& cell, const Box& box, const cda::Lattice& lattice) {
     return result;
 }
 
-void find_places(const Cell& cell, const cda::WorkpieceModel& part, const Box& stock,
+void find_places(const Cell& cell, const cda::VerifyingModel& part, const Box& stock,
                  std::vector<Box>& places) {
     constexpr double kSmall = 1.0;  // mm
     constexpr std::size_t kMost = 16;
@@ -165,7 +165,7 @@ double Body::rounding(const Step& step) const {
     return rounding_of(step, prism_, lattice_);
 }
 
-PartContact Body::find_contact(const Step& step, double raise, const cda::WorkpieceModel& part,
+PartContact Body::find_contact(const Step& step, double raise, const cda::VerifyingModel& part,
                                const Box& stock) {
     PartContact meeting;
     if (!stock.overlaps(bounds(step, raise))) return meeting;
@@ -189,7 +189,7 @@ PartContact Body::find_contact(const Step& step, double raise, const cda::Workpi
     return meeting;
 }
 
-bool Body::meets_certainly(const Step& step, double raise, const cda::WorkpieceModel& part,
+bool Body::meets_certainly(const Step& step, double raise, const cda::VerifyingModel& part,
                            const Box& stock) {
     if (!stock.overlaps(bounds(step, raise))) return false;
     const double less = gained(step, raise) + rounding(step);
@@ -199,7 +199,7 @@ bool Body::meets_certainly(const Step& step, double raise, const cda::WorkpieceM
 }
 
 double needed_raise(Body& body, const Step& step, double known, double limit, double raise_step,
-                    const cda::WorkpieceModel& part, const Box& stock) {
+                    const cda::VerifyingModel& part, const Box& stock) {
     const auto meets = [&](std::int64_t steps) {
         return body.find_contact(step, raise_step * static_cast<double>(steps), part, stock)
             .is_there;

@@ -36,7 +36,7 @@ double rounding_of(const toolpath::Step& step, bool prism, const cda::Lattice& l
 cda::Cell clipped(const cda::Cell& cell, const Box& box, const cda::Lattice& lattice);
 /// Adds boxes (mm) that contain the intersection of the cell and the part to `places`. The boxes
 /// are about 1 mm long, or longer if more than a few would be needed.
-void find_places(const cda::Cell& cell, const cda::WorkpieceModel& part, const Box& stock,
+void find_places(const cda::Cell& cell, const cda::VerifyingModel& part, const Box& stock,
                  std::vector<Box>& places);
 /// True if the tool is not rotated during the whole step: its axis is Z.
 bool is_upright(const toolpath::Step& step);
@@ -63,9 +63,9 @@ public:
     /// Intersects the sweep of the body, `raise` mm higher on the tool, with `part`, which lies in
     /// `stock`. Certain if the inscribed polytope, minus the excess of sampling, meets the part.
     PartContact find_contact(const toolpath::Step& step, double raise,
-                             const cda::WorkpieceModel& part, const Box& stock);
+                             const cda::VerifyingModel& part, const Box& stock);
     /// True if the contact is certain. Cheaper than meet().
-    bool meets_certainly(const toolpath::Step& step, double raise, const cda::WorkpieceModel& part,
+    bool meets_certainly(const toolpath::Step& step, double raise, const cda::VerifyingModel& part,
                          const Box& stock);
 
     /// Returns the cells of the sweep, circumscribed or inscribed.
@@ -89,6 +89,6 @@ inline constexpr double kRaiseStep = 0.01;
 /// ends only once.
 /// Requires: `body` meets material at `known`.
 double needed_raise(Body& body, const toolpath::Step& step, double known, double limit,
-                    double raise_step, const cda::WorkpieceModel& part, const Box& stock);
+                    double raise_step, const cda::VerifyingModel& part, const Box& stock);
 
 }  // namespace ncsim::verify

@@ -53,9 +53,8 @@ FixtureScene::FixtureScene(const Setup& setup) : setup_(&setup), fixtures_(setup
         all.add(grow_box(f.place(), kMargin));
     if (all.is_empty()) return;
     lattice_ = cda::Lattice::for_stock(all);
-    const cda::TreeCda model{cda::TreeParameters{}};
     for (const Fixture& f : fixtures_)
-        boxes_.push_back(model.create(cell_of(f.box, lattice_), lattice_));
+        boxes_.emplace_back(cell_of(f.box, lattice_), lattice_);
     for (const auto& [number, facts] : setup.tools) {
         for (const toolpath::ToolPiece& piece : facts.tool.pieces) {
             tools_[number].emplace_back(piece, lattice_, setup.accuracy);
@@ -65,7 +64,7 @@ FixtureScene::FixtureScene(const Setup& setup) : setup_(&setup), fixtures_(setup
 
 bool FixtureScene::touches(std::size_t index, const Cell& cell) const {
     const Fixture& fixture = fixtures_[index];
-    if (fixture.mesh.triangles.empty()) return boxes_[index]->contact(cell).has_value();
+    if (fixture.mesh.triangles.empty()) return boxes_[index].contact(cell).has_value();
     // The part of the cell near the mesh is the material, and the mesh is the body that may meet
     // the material.
     Cell near = cell_of(grow_box(fixture.place(), kMargin), lattice_);

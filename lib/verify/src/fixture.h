@@ -3,7 +3,7 @@
 // Fixtures on the table, prepared for contact checks with tools.
 #pragma once
 
-#include "ncsim/cda/workpiece.h"
+#include "ncsim/cda/tree.h"
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/setup.h"
 
@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -37,7 +36,7 @@ private:
     const Setup* setup_;
     cda::Lattice lattice_;
     std::vector<Fixture> fixtures_;
-    std::vector<std::unique_ptr<cda::WorkpieceModel>> boxes_;
+    std::vector<cda::TreeCda> boxes_;
     std::map<int, std::vector<Body>> tools_;  // one body for each piece
     std::map<std::tuple<int, std::size_t, double>, Body> fine_;
 };

@@ -375,7 +375,7 @@ void MachineScene::check_pair(Pair& pair, const Leg& leg, const RigidBody* tool,
 }
 
 void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
-                         const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts) {
+                         const cda::VerifyingModel* part, std::vector<MachineContact>& contacts) {
     legs_.clear();
     open_.clear();
     seen_.clear();
@@ -460,7 +460,7 @@ const RigidBody* MachineScene::body_outside_cutter(const RigidBody& body, int to
     return outside_cutter_.emplace(key, body_outside_radius(body, radius_mm)).first->second.get();
 }
 
-void MachineScene::end(const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts) {
+void MachineScene::end(const cda::VerifyingModel* part, std::vector<MachineContact>& contacts) {
     if (!part) return;
     for (const OpenPair& open : open_) {
         Pair& pair = pairs_[open.pair];

@@ -44,9 +44,9 @@ public:
     /// Checks links, fixtures and the tool against each other, and links against `part` as it is
     /// before the motion (null: nothing is cut). Adds contacts to `contacts`.
     void begin(const gcode::Motion& motion, const ToolLength& length,
-               const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts);
+               const cda::VerifyingModel* part, std::vector<MachineContact>& contacts);
     /// Checks open contacts with the part again, with `part` as it is after the motion.
-    void end(const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts);
+    void end(const cda::VerifyingModel* part, std::vector<MachineContact>& contacts);
     /// Adds the contact of an observation of a tile.
     /// Throws: std::runtime_error if the pair does not exist.
     void note(const Observation& seen, std::vector<MachineContact>& contacts) const;

@@ -421,7 +421,7 @@ Encounter search_near(const PairOnLeg& pair, const RigidBody& observer, const Ri
         });
 }
 
-Encounter search_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, const Box& stock,
+Encounter search_part(const PairOnLeg& pair, const cda::VerifyingModel& part, const Box& stock,
                       Vec3 zero, const RigidBody& body, double clearance_mm, bool measured) {
     const cda::Lattice& lattice = part.lattice();
     // Corners, and planes of hulls of rotated corners.

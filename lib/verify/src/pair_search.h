@@ -64,7 +64,7 @@ Encounter search_near(const PairOnLeg& pair, const RigidBody& observer, const Ri
 /// Searches for contact of the body with the rest of the stock (`stock`: box in W, mm), or for
 /// distances below `clearance_mm`. `zero`: origin of W in the frame of the observer with all joints
 /// at 0. The penetration is the distance by which the body would have to shrink on all sides.
-Encounter search_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, const Box& stock,
+Encounter search_part(const PairOnLeg& pair, const cda::VerifyingModel& part, const Box& stock,
                       Vec3 zero, const RigidBody& body, double clearance_mm, bool measured);
 
 }  // namespace ncsim::verify

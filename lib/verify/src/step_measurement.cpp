@@ -42,7 +42,7 @@ double Measuring::rounding_now(const Step& step) const {
 
 // Returns a point common to the part and to the cell shrunk by `rounding`.
 std::optional<Vec3> Measuring::contact(const Cell& cell, double rounding,
-                                       const cda::WorkpieceModel& part) const {
+                                       const cda::VerifyingModel& part) const {
     return part.contact(rounding > 0.0 ? shrink_cell(cell, rounding, lattice_) : cell);
 }
 
@@ -167,7 +167,7 @@ void Measuring::add_removed(const Step& step, double volume, bool is_exact) {
     record(std::move(seen));
 }
 
-void Measuring::measure_feed_move(const Step& step, const cda::WorkpieceModel& part) {
+void Measuring::measure_feed_move(const Step& step, const cda::VerifyingModel& part) {
     if (move_.meets_material && !move_.volume_known) return;
     const double rounding = rounding_now(step);
     Observation seen = current_observation(Subject::FeedCut);
@@ -204,7 +204,7 @@ void Measuring::book(const std::optional<double>& volume) {
 }
 
 // Returns the common volume of the part and all cells of the step, which may overlap.
-double Measuring::common_volume(const Step& step, const cda::WorkpieceModel& part) {
+double Measuring::common_volume(const Step& step, const cda::VerifyingModel& part) {
     if (step.cells.size() == 1) return part.common_volume(step.cells[0]);
     const std::unique_ptr<cda::WorkpieceModel> rest = part.clone();
     double volume = 0.0;
@@ -213,7 +213,7 @@ double Measuring::common_volume(const Step& step, const cda::WorkpieceModel& par
     return volume;
 }
 
-void Measuring::measure_rapid(const Step& step, const cda::WorkpieceModel& part) {
+void Measuring::measure_rapid(const Step& step, const cda::VerifyingModel& part) {
     // For example, back into a hole that a peck left.
     if (current_->widens && current_->passes.cover(step, 0.0)) return;
     const double rounding = rounding_now(step);
@@ -252,7 +252,7 @@ void Measuring::measure_rapid(const Step& step, const cda::WorkpieceModel& part)
 // contains walls of zero thickness between two touching cuts. Such walls are flat; the corners are
 // not coplanar. If no tetrahedron is found, contact() of the whole sweep decides. `rank` counts the
 // points that were checked.
-std::optional<Vec3> Measuring::find_material(const Step& step, const cda::WorkpieceModel& part,
+std::optional<Vec3> Measuring::find_material(const Step& step, const cda::VerifyingModel& part,
                                              std::uint32_t& rank) {
     if (step.X_WA.rows != step.X_WB.rows) return std::nullopt;
     const Vec3 way = step.X_WB.translation - step.X_WA.translation;
@@ -322,7 +322,7 @@ void Measuring::decide(std::span<const ContactDecision> decisions) {
 }
 
 // Returns a common point of the material and the inscribed tool, if one exists.
-std::optional<Vec3> Measuring::certain_point(const Step& step, const cda::WorkpieceModel& part) {
+std::optional<Vec3> Measuring::certain_point(const Step& step, const cda::VerifyingModel& part) {
     std::optional<Vec3> point;
     cells_.clear();
     current_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_,
@@ -334,7 +334,7 @@ std::optional<Vec3> Measuring::certain_point(const Step& step, const cda::Workpi
     return point;
 }
 
-void Measuring::measure_bodies(const Step& step, const cda::WorkpieceModel& part) {
+void Measuring::measure_bodies(const Step& step, const cda::VerifyingModel& part) {
     for (ToolMonitors::Part& watched : current_->bodies) {
         if (is_away(watched.body, step, 0.0)) continue;
         const PartContact meeting = watched.body.find_contact(step, 0.0, part, stock_);
@@ -399,7 +399,7 @@ void Measuring::follow_core(const Step& step,
 
 // A tile knows neither the material under the tool in other tiles nor the length of the descent.
 // The tile records the length of this step above material.
-void Measuring::measure_core(const Step& step, const cda::WorkpieceModel& part) {
+void Measuring::measure_core(const Step& step, const cda::VerifyingModel& part) {
     if (!kept_) {
         follow_core(step, [&](double fall, double allowed) {
             return drop_to_material(step, part, fall, allowed);
@@ -422,7 +422,7 @@ void Measuring::measure_core(const Step& step, const Observation* seen) {
 }
 
 // Returns the length of `fall` that has material under the core, to 0.01 mm where it matters.
-double Measuring::drop_to_material(const Step& step, const cda::WorkpieceModel& part, double fall,
+double Measuring::drop_to_material(const Step& step, const cda::VerifyingModel& part, double fall,
                                    double allowed) {
     // The size of the core is not known to 0.01 mm; a rim that touches is no plunge.
     if (!current_->core->meets_certainly(step, 0.0, part, stock_)) return 0.0;
@@ -435,31 +435,33 @@ double Measuring::drop_to_material(const Step& step, const cda::WorkpieceModel& 
 // material, except material that the cutter below this height removes in this step or removed on
 // the same path.
 double Measuring::needed_raise_of_flutes(FlutesAbove& above, const Step& step,
-                                         const cda::WorkpieceModel& part, double known,
+                                         const cda::VerifyingModel& part, double known,
                                          double raise_step) {
     if (current_->passes.cover(step, above.from_mm + known - current_->straight_from_mm))
         return known;
-    const auto meets = [&](const cda::WorkpieceModel& rest) {
+    const auto meets = [&](const cda::VerifyingModel& material) {
         return std::ranges::any_of(above.bodies, [&](Body& body) {
-            return !is_away(body, step, known) && body.meets_certainly(step, known, rest, stock_);
+            return !is_away(body, step, known) &&
+                   body.meets_certainly(step, known, material, stock_);
         });
     };
     if (!meets(part)) return known;
-    const std::unique_ptr<cda::WorkpieceModel> rest = part.clone();
+    const std::unique_ptr<cda::WorkpieceModel> copy = part.clone();
+    auto& rest = dynamic_cast<cda::VerifyingModel&>(*copy);
     if (!ascends(step)) {
         for (Body& body : above.below)
-            rest->subtract_unmeasured(body.cells(step, 0.0, toolpath::Side::Inscribed));
-        if (!meets(*rest)) return known;
+            rest.subtract_unmeasured(body.cells(step, 0.0, toolpath::Side::Inscribed));
+        if (!meets(rest)) return known;
     }
     const double height = toolpath::cutting_height_of(tool_now());
     for (Body& body : above.bodies) {
-        if (!body.find_contact(step, known, *rest, stock_).is_there) continue;
-        known = needed_raise(body, step, known, height, raise_step, *rest, stock_);
+        if (!body.find_contact(step, known, rest, stock_).is_there) continue;
+        known = needed_raise(body, step, known, height, raise_step, rest, stock_);
     }
     return known;
 }
 
-void Measuring::measure_too_high(const Step& step, const cda::WorkpieceModel& part) {
+void Measuring::measure_too_high(const Step& step, const cda::VerifyingModel& part) {
     Observation seen = current_observation(Subject::TooHigh);
     seen.value =
         needed_raise_of_flutes(current_->too_high, step, part, move_.too_deep_mm, kRaiseStep);
@@ -475,12 +477,12 @@ void Measuring::record_if_certain(const PartContact& meeting, Subject subject) {
     record(std::move(seen));
 }
 
-void Measuring::measure_wall(const Step& step, const cda::WorkpieceModel& part) {
+void Measuring::measure_wall(const Step& step, const cda::VerifyingModel& part) {
     if (!is_away(*current_->wall, step, 0.0))
         record_if_certain(current_->wall->find_contact(step, 0.0, part, stock_), Subject::Wall);
 }
 
-void Measuring::measure_mouth(const Step& step, const cda::WorkpieceModel& part) {
+void Measuring::measure_mouth(const Step& step, const cda::VerifyingModel& part) {
     if (!current_->mouth->meets_certainly(step, 0.0, part, stock_)) return;
     const double end = step.X_WB.translation.z;
     const double limit = std::max(0.0, stock_.max.z - end);
@@ -489,14 +491,14 @@ void Measuring::measure_mouth(const Step& step, const cda::WorkpieceModel& part)
     record(std::move(seen));
 }
 
-void Measuring::measure_tip(const Step& step, const cda::WorkpieceModel& part) {
+void Measuring::measure_tip(const Step& step, const cda::VerifyingModel& part) {
     if (!move_.tip_cuts)
         record_if_certain(current_->tip->find_contact(step, 0.0, part, stock_), Subject::Tip);
 }
 
 // Checks the flutes above the certain flute length: only a larger raise than before is new. The
 // raise is reported coarsely, because a program on a helix needs a little more with every step.
-void Measuring::measure_uncertain_flutes(const Step& step, const cda::WorkpieceModel& part) {
+void Measuring::measure_uncertain_flutes(const Step& step, const cda::VerifyingModel& part) {
     constexpr double kPart = 1.0 / 16.0;  // relative to the certain flute length
     const double known = current_->uncertain_mm;
     const double raise_step = std::max(

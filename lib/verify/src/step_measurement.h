@@ -56,26 +56,26 @@ public:
     /// Returns the largest distance (mm) by which rounding displaces the cutter's cells of this
     /// step.
     double rounding_now(const toolpath::Step& step) const;
-    void measure_feed_move(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    void measure_feed_move(const toolpath::Step& step, const cda::VerifyingModel& part);
     /// Checks a step of a rapid. Most rapids meet no material, which a cheap query decides; the
     /// rest is checked closely.
-    void measure_rapid(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    void measure_rapid(const toolpath::Step& step, const cda::VerifyingModel& part);
     /// Checks shanks and holders.
-    void measure_bodies(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    void measure_bodies(const toolpath::Step& step, const cda::VerifyingModel& part);
     /// Checks the core, which does not cut.
-    void measure_core(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    void measure_core(const toolpath::Step& step, const cda::VerifyingModel& part);
     /// Checks the core with the observation `seen` of tiles; null: no material under the core.
     void measure_core(const toolpath::Step& step, const Observation* seen);
     /// Checks the cutter above the depth limit.
-    void measure_too_high(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    void measure_too_high(const toolpath::Step& step, const cda::VerifyingModel& part);
     /// Checks the flutes above the certain flute length.
-    void measure_uncertain_flutes(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    void measure_uncertain_flutes(const toolpath::Step& step, const cda::VerifyingModel& part);
     /// Notes whether a thread mill is in the wall of its thread where it starts to move up.
-    void measure_wall(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    void measure_wall(const toolpath::Step& step, const cda::VerifyingModel& part);
     /// Notes the height of the material into which the tool moves straight down.
-    void measure_mouth(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    void measure_mouth(const toolpath::Step& step, const cda::VerifyingModel& part);
     /// Notes a contact of the flat tip of a chamfer mill.
-    void measure_tip(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    void measure_tip(const toolpath::Step& step, const cda::VerifyingModel& part);
     /// Notes that the step removed `volume` (mm³). `is_exact`: a positive volume proves contact.
     void add_removed(const toolpath::Step& step, double volume, bool is_exact);
     /// Notes an observation of the part, except of the core.
@@ -90,25 +90,25 @@ private:
     using Step = toolpath::Step;
 
     std::optional<Vec3> contact(const cda::Cell& cell, double rounding,
-                                const cda::WorkpieceModel& part) const;
+                                const cda::VerifyingModel& part) const;
     void record_if_certain(const PartContact& meeting, Subject subject);
     bool is_away(const Body& body, const Step& step, double raise) const;
     Observation current_observation(Subject subject, std::size_t index = 0) const;
     void record(Observation seen);
     bool wants_volume() const;
     void book(const std::optional<double>& volume);
-    static double common_volume(const Step& step, const cda::WorkpieceModel& part);
-    std::optional<Vec3> find_material(const Step& step, const cda::WorkpieceModel& part,
+    static double common_volume(const Step& step, const cda::VerifyingModel& part);
+    std::optional<Vec3> find_material(const Step& step, const cda::VerifyingModel& part,
                                       std::uint32_t& rank);
     bool is_rapid_open() const;
-    std::optional<Vec3> certain_point(const Step& step, const cda::WorkpieceModel& part);
+    std::optional<Vec3> certain_point(const Step& step, const cda::VerifyingModel& part);
     bool keeps_places() const { return kept_ || setup_.decides_contacts; }
-    double drop_to_material(const Step& step, const cda::WorkpieceModel& part, double fall,
+    double drop_to_material(const Step& step, const cda::VerifyingModel& part, double fall,
                             double allowed);
     void follow_core(const Step& step,
                      const std::function<double(double fall, double allowed)>& on_material);
     double needed_raise_of_flutes(FlutesAbove& above, const Step& step,
-                                  const cda::WorkpieceModel& part, double known, double raise_step);
+                                  const cda::VerifyingModel& part, double known, double raise_step);
     const toolpath::Tool& tool_now() const { return setup_.tools.at(move_.motion->tool).tool; }
 
     const Setup& setup_;

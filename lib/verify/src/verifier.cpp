@@ -127,7 +127,8 @@ public:
                a.flat_tip == b.flat_tip;
     }
 
-    void begin(const gcode::Motion& motion, const cda::WorkpieceModel* part) {
+    void begin(const gcode::Motion& motion, const cda::VerifyingModel* part) {
+        part_ = part;
         move_ = {};
         ledger_book_.begin();
         move_.motion = &motion;
@@ -169,30 +170,30 @@ public:
                        "links are where they are taken to be: " + setup_.axes_guess, place());
     }
 
-    void before_cut(const Step& step, const cda::WorkpieceModel& part) {
+    void before_cut(const Step& step) {
         measuring_.begin_step();
         if (share_.evidence) {
             note_step(&step);
             return;
         }
-        if (ascends(step)) measuring_.measure_bodies(step, part);
+        if (ascends(step)) measuring_.measure_bodies(step, *part_);
         if (current_->core) {
             if (move_.motion->kind == MoveKind::Feed) {
-                measuring_.measure_core(step, part);
+                measuring_.measure_core(step, *part_);
             } else {
                 current_->aside_since.reset();
             }
         }
         if (current_->wall && measuring_.step() == 1 && moves_straight_up(step))
-            measuring_.measure_wall(step, part);
+            measuring_.measure_wall(step, *part_);
         if (move_.motion->kind == MoveKind::Feed && is_upright(step)) {
             const bool falls = moves_straight_down(step);
-            if (current_->mouth && falls) measuring_.measure_mouth(step, part);
+            if (current_->mouth && falls) measuring_.measure_mouth(step, *part_);
             if (current_->tip && !falls && !moves_straight_up(step))
-                measuring_.measure_tip(step, part);
+                measuring_.measure_tip(step, *part_);
         }
         if (!current_->too_high.bodies.empty() && move_.motion->kind == MoveKind::Feed)
-            measuring_.measure_too_high(step, part);
+            measuring_.measure_too_high(step, *part_);
         const bool goes_on = has_cut_at(step.X_WA);
         const bool only_up = goes_on && leaves_own_cut(step);
         // Straight down, the certain flutes cut ahead of the uncertain flutes.
@@ -200,18 +201,18 @@ public:
                                current_->straight_from_mm <= current_->uncertain.from_mm &&
                                moves_straight_down(step);
         if (!current_->uncertain.bodies.empty() && !only_up && !only_down && !is_found_rapid())
-            measuring_.measure_uncertain_flutes(step, part);
+            measuring_.measure_uncertain_flutes(step, *part_);
         if (books_) ledger_book_.note_cells(step, measuring_.rounding_now(step));
         if (!move_.needs_contacts || step.cells.empty()) return;
         if (move_.motion->kind == MoveKind::Rapid) {
-            if (!only_up || volumes_) measuring_.measure_rapid(step, part);
+            if (!only_up || volumes_) measuring_.measure_rapid(step, *part_);
         } else if (!volumes_ || measuring_.rounding_now(step) > 0.0) {
             // A single step that meets material suffices for its motion if no volume is needed.
-            measuring_.measure_feed_move(step, part);
+            measuring_.measure_feed_move(step, *part_);
         }
     }
 
-    void after_cut(const Step& step, const cda::WorkpieceModel& part, double removed) {
+    void after_cut(const Step& step, double removed) {
         const double tolerance = setup_.path_tolerance_mm;
         if (tolerance > 0.0 && step.bounds.missed_mm > 1.001 * tolerance)
             move_.path_error_mm = std::max(move_.path_error_mm, step.bounds.missed_mm);
@@ -226,12 +227,12 @@ public:
             const bool is_exact = measuring_.rounding_now(step) <= 0.0;
             measuring_.add_removed(step, removed, is_exact);
         }
-        if (!ascends(step)) measuring_.measure_bodies(step, part);
+        if (!ascends(step)) measuring_.measure_bodies(step, *part_);
         measure_fixtures(step);
     }
 
     // A tool at rest meets the same bodies whatever its start.
-    void at_end_position(const Step& step, const cda::WorkpieceModel& part) {
+    void at_end_position(const Step& step) {
         move_.arrives = true;
         measuring_.begin_step();
         if (share_.evidence) {
@@ -239,15 +240,15 @@ public:
             return;
         }
         if (move_.motion->kind == MoveKind::Rapid && is_selected("rapid-in-material"))
-            measuring_.measure_rapid(step, part);
-        measuring_.measure_bodies(step, part);
+            measuring_.measure_rapid(step, *part_);
+        measuring_.measure_bodies(step, *part_);
         measure_fixtures(step);
     }
 
-    std::vector<OpenContact> end_steps(const cda::WorkpieceModel* part) {
+    std::vector<OpenContact> end_steps() {
         if (!machine_.is_empty() && move_.is_move && !share_.evidence) {
             const std::size_t before = machine_.seen().size();
-            machine_.end(part, move_.machine);
+            machine_.end(part_, move_.machine);
             keep_links(Observation::kAtEnd, before);
         }
         if (share_.evidence) note_end();
@@ -336,7 +337,7 @@ public:
         ledger_.measured = (volumes_ || books_) && part != nullptr;
         ledger_.air_known = (contacts_ || books_) && part != nullptr;
         ledger_.air_mm = air_.air_mm();
-        if (books_ && part) ledger_book_.close(part->account(), !contacts_);
+        if (books_ && part_) ledger_book_.close(part_->account(), !contacts_);
         if (part) ledger_.rest_mm3 = part->volume();
         ledger_.stock_mm3 = stock_mm3;
         conclude_doubts(part != nullptr);
@@ -588,6 +589,7 @@ private:
     PathFacts path_facts_;
     std::uint64_t motions_ = 0;
     bool probed_ = false;
+    const cda::VerifyingModel* part_ = nullptr;  // part of the last motion
     Move move_;
     HoleCourse hole_;
     Measuring measuring_;
@@ -608,29 +610,29 @@ Verifier::Verifier(Setup setup, const Box& stock, const cda::Lattice& lattice, S
     : impl_(std::make_unique<Impl>(std::move(setup), stock, lattice, std::move(share))) {}
 Verifier::~Verifier() = default;
 
-void Verifier::begin(const gcode::Motion& motion, const cda::WorkpieceModel* part) {
+void Verifier::begin(const gcode::Motion& motion, const cda::VerifyingModel* part) {
     impl_->begin(motion, part);
 }
 
-void Verifier::before_cut(const Step& step, const cda::WorkpieceModel& part) {
-    impl_->before_cut(step, part);
+void Verifier::before_cut(const Step& step) {
+    impl_->before_cut(step);
 }
 
-void Verifier::after_cut(const Step& step, const cda::WorkpieceModel& part, double removed) {
-    impl_->after_cut(step, part, removed);
+void Verifier::after_cut(const Step& step, double removed) {
+    impl_->after_cut(step, removed);
 }
 
-void Verifier::at_end_position(const Step& step, const cda::WorkpieceModel& part) {
-    impl_->at_end_position(step, part);
+void Verifier::at_end_position(const Step& step) {
+    impl_->at_end_position(step);
 }
 
-void Verifier::end(const cda::WorkpieceModel* part) {
-    (void)impl_->end_steps(part);
+void Verifier::end() {
+    (void)impl_->end_steps();
     impl_->judge({});
 }
 
-std::vector<OpenContact> Verifier::end_steps(const cda::WorkpieceModel* part) {
-    return impl_->end_steps(part);
+std::vector<OpenContact> Verifier::end_steps() {
+    return impl_->end_steps();
 }
 
 void Verifier::judge(std::span<const ContactDecision> decisions) {

@@ -339,22 +339,4 @@ bool FlatCda::contains(Vec3 point) const {
     return std::none_of(negative_.begin(), negative_.end(), took_it);
 }
 
-void FlatCda::accept(CdaVisitor& visitor) const {
-    visitor.visit_cda(*this);
-    const auto visit = [&](const CdaCell& cell, std::uint32_t index) {
-        visitor.visit_cell(cell, index);
-        for (std::uint32_t i = 0; i < cell.body.facets().size(); ++i) {
-            visitor.visit_facet(cell, {cell.kind, index, i});
-        }
-    };
-    visit(positive_, 0);
-    for (std::uint32_t i = 0; i < negative_.size(); ++i)
-        visit(negative_[i], i);
-    for (std::uint32_t i = 0; i < zero_.size(); ++i)
-        visit(zero_[i], i);
-    for (std::uint32_t i = 0; i < contacts_.size(); ++i)
-        visitor.visit_contact(contacts_[i], i);
-    visitor.end_cda(*this);
-}
-
 }  // namespace ncsim::cda

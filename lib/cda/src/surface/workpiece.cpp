@@ -4,6 +4,7 @@
 #include "ncsim/cda/workpiece.h"
 
 #include "ncsim/base/triangle_mesh.h"
+#include "ncsim/base/triangle_tree.h"
 #include "ncsim/cda/triangulate.h"
 
 #include <array>
@@ -26,6 +27,11 @@ void WorkpieceModel::record_surface(SurfaceRecorder& recorder) const {
     }
     recorder.begin_state();
     recorder.replace_region(0, cells);
+}
+
+bool WorkpieceModel::contains(Vec3 point) const {
+    const TriangleMesh mesh = triangulate(boundary());
+    return TriangleTree(mesh).contains(point);
 }
 
 }  // namespace ncsim::cda

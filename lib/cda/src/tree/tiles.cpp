@@ -107,16 +107,8 @@ public:
     std::unique_ptr<WorkpieceModel> create(const Cell&, const Lattice& lattice) const override {
         return std::make_unique<Model>(tiles_, lattice);
     }
-    double subtract(const Cell&) override {
-        throw CannotAnswer("of tiles", "how much a cell takes away");
-    }
-    void subtract_unmeasured(std::span<const Cell>) override {}
-    // No cell is needed, because the tiles contain all cuts.
-    std::optional<Box> wanted() const override { return Box{}; }
-    RemovalByMotion account() const override {
-        throw CannotAnswer("of tiles", "what cells took away");
-    }
-    void render(FacetCanvas&) const override { throw CannotAnswer("of tiles", "its cells"); }
+    // No cell removes more, because the tiles contain all cuts.
+    double subtract(const Cell&) override { return 0.0; }
     std::unique_ptr<WorkpieceModel> clone() const override {
         return std::make_unique<Model>(*this);
     }
@@ -143,9 +135,6 @@ public:
                     stitcher.add_part(block);
             });
         return fitting([&] { return stitcher.finish(); });
-    }
-    bool contains(Vec3) const override {
-        throw CannotAnswer("of tiles", "whether points are in it");
     }
 
 private:

@@ -4,9 +4,7 @@
 #include "ncsim/cda/tree.h"
 
 #include "ncsim/base/parallel.h"
-#include "ncsim/base/triangle_mesh.h"
 #include "ncsim/cda/polytope.h"
-#include "ncsim/cda/triangulate.h"
 
 #include "surface/stitch.h"
 #include "tree/block.h"
@@ -15,6 +13,7 @@
 #include "tree/tile_bytes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -204,7 +203,7 @@ void TreeCda::mark_listed(std::size_t number) const {
 // Format: tile, number of tiles, blocks of the part, blocks of the tile, volume requests; the
 // tile's blocks, and the blocks' volumes per request; outlines block by block; edges at the walls.
 void TreeCda::write_tile(std::ostream& out) const {
-    if (!parameters_.tile) throw CannotAnswer(name(), "a tile where there are none");
+    assert(parameters_.tile);
     const ReadLock asked(*this);
     flush_all();
     for (const std::size_t n :
@@ -243,19 +242,6 @@ TreeCounts TreeCda::counts() const {
         counts.bytes += block.tree->memory();
     }
     return counts;
-}
-
-void TreeCda::render(FacetCanvas& canvas) const {
-    // No mask is needed: faces of the boundary are exactly the visible surface.
-    const Boundary surface = boundary();
-    const TriangleMesh mesh = triangulate(surface);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const BoundaryFace& face = surface.faces[mesh.face[i]];
-        std::vector<Vec3> outline;
-        for (const std::uint32_t corner : mesh.triangles[i])
-            outline.push_back(mesh.vertices[corner]);
-        canvas.draw({face.normal, face.origin, outline, {}});
-    }
 }
 
 }  // namespace ncsim::cda

@@ -198,20 +198,19 @@ double TreeCda::volume() const {
 }
 
 Boundary TreeCda::boundary() const {
-    if (parameters_.tile) throw CannotAnswer(name(), "the surface of a tile");
     const ReadLock asked(*this);
     flush_all();
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
     counts_.leaves = counts_.facets_tested = counts_.facets_alive = counts_.pieces = 0;
     Stitcher stitcher(lattice_, parameters_.threads);
     make_in_parallel(
-        parameters_.threads, blocks_.size(),
+        parameters_.threads, own_.size(),
         [&](std::size_t i) {
             if (parameters_.interrupt) parameters_.interrupt();
-            return evaluate(*blocks_[i].tree, input);
+            return evaluate(*blocks_[own_[i]].tree, input);
         },
         [&](std::size_t i, const Evaluation& result) {
-            blocks_[i].volume = result.volume;
+            blocks_[own_[i]].volume = result.volume;
             counts_.leaves += result.leaves;
             counts_.facets_tested += result.facets_tested;
             counts_.facets_alive += result.facets_alive;
@@ -222,11 +221,10 @@ Boundary TreeCda::boundary() const {
 }
 
 void TreeCda::record_surface(SurfaceRecorder& recorder) const {
-    if (parameters_.tile) throw CannotAnswer(name(), "the surface of a tile");
     const ReadLock asked(*this);
     flush_all();
     std::vector<std::size_t> changed;
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    for (const std::uint32_t i : own_) {
         std::uint64_t& mark = recorder.mark(i);
         if (mark == blocks_[i].changes) continue;
         mark = blocks_[i].changes;

@@ -530,7 +530,7 @@ Image blend_transparent(const Overlay& overlay, const Draw& draw) {
 
 class ModelScene final : public Scene {
 public:
-    ModelScene(const cda::WorkpieceModel& model, const ScreenMap& map, const Paint& paint,
+    ModelScene(const cda::FacetModel& model, const ScreenMap& map, const Paint& paint,
                OverlayArt& art, std::vector<Surface>& surfaces)
         : model_(model), canvas_(map, paint, surfaces), art_(art), surfaces_(surfaces) {}
 
@@ -541,7 +541,7 @@ public:
     }
 
 private:
-    const cda::WorkpieceModel& model_;
+    const cda::FacetModel& model_;
     StencilCanvas canvas_;
     OverlayArt& art_;
     std::vector<Surface>& surfaces_;
@@ -567,7 +567,7 @@ private:
     std::vector<Surface>& surfaces_;
 };
 
-Image draw_model(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
+Image draw_model(const cda::FacetModel& model, const mesh::Provenance& provenance,
                  const RenderOptions& options, const Overlay& overlay) {
     check(options);
     const ScreenMap map = screen_map(options);
@@ -592,7 +592,7 @@ Image draw_boundary(const cda::Boundary& boundary, const mesh::Provenance& prove
 
 }  // namespace
 
-Image render_model(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
+Image render_model(const cda::FacetModel& model, const mesh::Provenance& provenance,
                    const RenderOptions& options, const Overlay& overlay) {
     return blend_transparent(overlay, [&](const Overlay& shown) {
         return draw_model(model, provenance, options, shown);

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 #include <optional>
 #include <utility>
 
@@ -38,11 +37,14 @@ Box box_along(int axis, Vec3 at, Vec3 low, Vec3 high) {
     return box;
 }
 
-// Throws the error of the first missing key.
-void require(const TomlReader& r, const TomlTable& t, std::initializer_list<const char*> keys) {
-    for (const char* key : keys) {
-        if (!t[key]) r.fail(t.node(), fmt::format("'{}' needs {}", t.name(), key));
-    }
+// Reads required keys, each followed by its value. Throws the error of the first missing key.
+void read_required(const TomlReader&, const TomlTable&) {}
+template <class Value, class... Rest>
+void read_required(const TomlReader& r, const TomlTable& t, const char* key, Value& value,
+                   Rest&... rest) {
+    if (!t[key]) r.fail(t.node(), fmt::format("'{}' needs {}", t.name(), key));
+    t.read(key, value);
+    read_required(r, t, rest...);
 }
 
 std::vector<NamedBox> read_vise(const TomlReader& r, const TomlTable& t) {
@@ -50,13 +52,9 @@ std::vector<NamedBox> read_vise(const TomlReader& r, const TomlTable& t) {
     std::string along = "Y";
     double opening = 0.0, width = 0.0, height = 0.0, depth = 0.0, base = 0.0;
     std::optional<std::array<double, 2>> parallels;
-    require(r, t, {"at", "opening", "jaw_width", "jaw_height", "jaw_depth"});
-    t.read("at", at);
+    read_required(r, t, "at", at, "opening", opening, "jaw_width", width, "jaw_height", height,
+                  "jaw_depth", depth);
     t.read("along", along);
-    t.read("opening", opening);
-    t.read("jaw_width", width);
-    t.read("jaw_height", height);
-    t.read("jaw_depth", depth);
     t.read("base_height", base);
     t.read("parallels", parallels);
     const int axis = along[0] - 'X';
@@ -86,12 +84,8 @@ std::vector<NamedBox> read_clamp(const TomlReader& r, const TomlTable& t) {
     double length = 0.0, width = 0.0, height = 0.0, heel = 0.0;
     std::optional<double> table;
     std::optional<Vec3> bolt;
-    require(r, t, {"at", "toward", "length", "width", "height"});
-    t.read("at", at);
-    t.read("toward", toward);
-    t.read("length", length);
-    t.read("width", width);
-    t.read("height", height);
+    read_required(r, t, "at", at, "toward", toward, "length", length, "width", width, "height",
+                  height);
     t.read("heel", heel);
     t.read("table", table);
     t.read("bolt", bolt);

@@ -10,10 +10,10 @@
 // oracle of tests.
 #pragma once
 
+#include "ncsim/cda/cell_model.h"
 #include "ncsim/cda/intersect.h"
 #include "ncsim/cda/polygon.h"
 #include "ncsim/cda/polytope.h"
-#include "ncsim/cda/visitor.h"
 #include "ncsim/cda/workpiece.h"
 
 #include <cstdint>
@@ -83,7 +83,7 @@ struct StepStatistics {
 };
 
 /// Workpiece model with the flat aggregate. Exact; quadratic cost.
-class FlatCda final : public WorkpieceModel {
+class FlatCda final : public WorkpieceModel, public AccountingModel, public CellModel {
 public:
     static constexpr std::string_view kName = "cda-flat";
 
@@ -96,6 +96,8 @@ public:
                                            const Lattice& lattice) const override;
     /// Cost: O(negative cells) box tests and one intersection per overlapping cell.
     double subtract(const Cell& cell) override;
+    /// Has no effect: the account is always kept.
+    void track_removal() override {}
     RemovalByMotion account() const override;
     void render(FacetCanvas& canvas) const override;
     std::unique_ptr<WorkpieceModel> clone() const override;
@@ -107,7 +109,6 @@ public:
 
     void write_statistics(std::ostream& out) const override;
     void write_cells(std::ostream& out) const override;
-    void accept(CdaVisitor& visitor) const;
 
     const Lattice& lattice() const override { return lattice_; }
     const CdaCell& positive() const { return positive_; }

@@ -25,7 +25,7 @@ class Outlines;
 /// again on every request.
 class Tiles {
 public:
-    /// Returns the output of WorkpieceModel::write_tile for the tile of the given number. Called
+    /// Returns the output of TreeCda::write_tile for the tile of the given number. Called
     /// from many threads.
     using Read = std::function<std::string(std::size_t)>;
 

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iosfwd>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -57,8 +58,8 @@ struct TreeParameters {
     /// More blocks than threads or tiles balance the load; too many blocks make most of the surface
     /// seams. The value may change the last bits of summed volumes.
     int halvings = 6;
-    /// Restricts the tree to the blocks of a tile. Volumes are then shares of the part's, the
-    /// result is written by write_tile(), and no other query is valid.
+    /// Restricts the tree to the blocks of a tile. Volumes are then shares of the part's, and
+    /// write_tile() writes the result.
     std::optional<TileNumber> tile = std::nullopt;
     /// Called by any thread before it inserts cells into a block or evaluates a block; may throw.
     /// After an exception, the workpiece may only be destroyed. Empty: not called.
@@ -70,7 +71,7 @@ struct TreeParameters {
 /// Background threads insert waiting cells while more cells arrive. So a query changes the tree,
 /// though not the part; queries of one part exclude each other. Several threads may query and copy
 /// a part that no thread cuts.
-class TreeCda final : public WorkpieceModel {
+class TreeCda final : public VerifyingModel {
 public:
     static constexpr std::string_view kName = kTiledModel;
 
@@ -101,10 +102,10 @@ public:
     /// insertion.
     void track_removal() override;
     RemovalByMotion account() const override;
-    void render(FacetCanvas& canvas) const override;
     std::unique_ptr<WorkpieceModel> clone() const override;
     /// Evaluates the blocks that changed since the last request.
     double volume() const override;
+    /// Throws: std::logic_error if the tree is restricted to a tile whose surface is open.
     Boundary boundary() const override;
     /// Evaluates the leaves that changed since the last state of `recorder`.
     /// Requires: `recorder` has recorded only this part.
@@ -116,8 +117,9 @@ public:
     std::optional<Vec3> contact(const Cell& cell) const override;
     double common_volume(const Cell& cell) const override;
 
-    /// Writes the tile that `tile` in the parameters selects.
-    void write_tile(std::ostream& out) const override;
+    /// Writes the tile that TreeParameters::tile selects, for Tiles.
+    /// Requires: the tree is restricted to a tile.
+    void write_tile(std::ostream& out) const;
 
     const Lattice& lattice() const override { return lattice_; }
     /// Returns counts of the cutting so far and of the last boundary().

@@ -2,7 +2,7 @@
 //
 // Interface between the simulation and workpiece models.
 // Source: Schüppel, Using Boolean Operations to Simulate CNC-Milling, 2001, chapter 1
-// (CstaWpModel): create, subtract, render, clone.
+// (CstaWpModel): create, subtract, clone.
 #pragma once
 
 #include "ncsim/base/vec3.h"
@@ -13,33 +13,13 @@
 #include "ncsim/cda/sweep.h"
 
 #include <cstdint>
-#include <iosfwd>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace ncsim::cda {
-
-/// A facet to be drawn and the regions to be left out: convex polygons in the facet's plane,
-/// corners counter-clockwise seen from outside the material, in mm.
-struct MaskedFacet {
-    Vec3 normal;  ///< Unit vector out of the material.
-    Origin origin = kStockOrigin;
-    std::span<const Vec3> outline;
-    std::span<const std::vector<Vec3>> masks;
-};
-
-/// A canvas that can draw facets, for instance with a stencil buffer (thesis 5.1).
-class FacetCanvas {
-public:
-    virtual ~FacetCanvas() = default;
-    virtual void draw(const MaskedFacet& facet) = 0;
-};
 
 /// Volume that the cells of one origin removed from a part.
 struct RemovedVolume {
@@ -66,20 +46,12 @@ struct Aliasing {
     bool checks_only_along_z = false;  ///< True if walls and slots are not checked.
 };
 
-/// Thrown if a model does not support a query; models.h lists the abilities of each model.
-class CannotAnswer : public std::logic_error {
-public:
-    /// Builds the message from the name of the model and the missing answer.
-    CannotAnswer(std::string_view model, std::string_view what)
-        : std::logic_error("the model " + std::string(model) + " does not tell " +
-                           std::string(what)) {}
-};
-
-/// A workpiece being machined. The only abstract class of the data flow: the user selects the model
-/// by name (models.h). A prototype: `create` makes a new workpiece of the same model.
+/// A workpiece being machined. The user selects the model by name (models.h). A prototype: `create`
+/// makes a new workpiece of the same model.
 ///
-/// Callers do not depend on the dynamic type. Queries that not every model supports throw
-/// CannotAnswer by default.
+/// Every model answers all queries of this class. A model that can do more also inherits
+/// SweepModel, AccountingModel, VerifyingModel or CellModel (cell_model.h). A caller finds out with
+/// one dynamic_cast; simulation::ModelInfo has the same facts before a part exists.
 class WorkpieceModel {
 public:
     virtual ~WorkpieceModel() = default;
@@ -103,50 +75,6 @@ public:
             subtract(cell);
     }
     void subtract_unmeasured(const Cell& cell) { subtract_unmeasured(std::span(&cell, 1)); }
-    /// True if the model subtracts round tools directly. Callers then pass sweeps for upright tools
-    /// on straight motions, and cells otherwise.
-    virtual bool supports_sweeps() const { return false; }
-    virtual void subtract_sweep(const RoundSweep&) {
-        throw CannotAnswer(name(), "what a round tool takes away");
-    }
-    /// Starts the account of the volume that the cells of each origin remove.
-    virtual void track_removal() {}
-    /// Returns the account. Volumes below 1e-15 of the stock are returned as 0.
-    virtual RemovalByMotion account() const = 0;
-    /// Draws every facet once with masks, in an order that depends only on the input.
-    virtual void render(FacetCanvas& canvas) const = 0;
-    virtual std::unique_ptr<WorkpieceModel> clone() const = 0;
-
-    /// Returns the volume of the part, in mm³.
-    virtual double volume() const = 0;
-    /// Returns the largest error of volume() in either direction, as far as the model can bound the
-    /// error; 0 if the model is exact.
-    virtual double volume_error() const { return 0.0; }
-    /// Returns thin places; only for models with a resolution.
-    virtual std::optional<Aliasing> aliasing() const { return std::nullopt; }
-    /// Returns the surface of the part.
-    virtual Boundary boundary() const = 0;
-    /// Records the surface of the part as the next state. Default: records boundary().
-    virtual void record_surface(SurfaceRecorder& recorder) const;
-    /// True if the point is in the part or on the surface. Exact for the point rounded to 2^-16 of
-    /// a lattice unit.
-    virtual bool contains(Vec3 point) const = 0;
-
-    // Queries of models that support verification.
-
-    /// Returns a point (mm) whose every neighbourhood contains inner points of the cell and of the
-    /// part; empty if the two touch at most. Exact, and cheaper than the volume.
-    virtual std::optional<Vec3> contact(const Cell&) const {
-        throw CannotAnswer(name(), "where a body meets the part");
-    }
-    /// Returns the common volume (mm³) of the cell and the part; exactly 0 if the two touch at
-    /// most. For a tile: a summand, as in subtract().
-    virtual double common_volume(const Cell&) const {
-        throw CannotAnswer(name(), "what a body has in common with the part");
-    }
-
-    // Operations of models that support tiles.
-
     /// Removes the cells of one step of a tool near the stock: all cells near wanted(), and perhaps
     /// more. Waiting cells are inserted after a fixed number of steps, not cells, so that a tile
     /// that receives fewer cells produces bit-identical results. `merged_cells`: cells within the
@@ -161,18 +89,52 @@ public:
     }
     /// Returns the box (mm) near which cells are needed; empty: near the whole part.
     virtual std::optional<Box> wanted() const { return std::nullopt; }
-    /// Writes the tile's data for Tiles.
-    virtual void write_tile(std::ostream&) const { throw CannotAnswer(name(), "tiles of it"); }
+    virtual std::unique_ptr<WorkpieceModel> clone() const = 0;
 
-    // Output of models made of cells.
+    /// Returns the volume of the part, in mm³.
+    virtual double volume() const = 0;
+    /// Returns the largest error of volume() in either direction, as far as the model can bound the
+    /// error; 0 if the model is exact.
+    virtual double volume_error() const { return 0.0; }
+    /// Returns thin places; only for models with a resolution.
+    virtual std::optional<Aliasing> aliasing() const { return std::nullopt; }
+    /// Returns the surface of the part.
+    virtual Boundary boundary() const = 0;
+    /// Records the surface of the part as the next state. Default: records boundary().
+    virtual void record_surface(SurfaceRecorder& recorder) const;
+    /// True if the point is in the part or on the surface. Exact models decide for the point
+    /// rounded to 2^-16 of a lattice unit. Default: decides by boundary(). Requires: for the
+    /// default, the point is farther from the surface than rounding errors.
+    virtual bool contains(Vec3 point) const;
+};
 
-    /// Writes one row per subtraction, comma-separated, after a row of names: costs in milliseconds
-    /// and numbers of facets as in thesis figures 7.1, 7.2 and 7.6.
-    virtual void write_statistics(std::ostream&) const {
-        throw CannotAnswer(name(), "what each hull cost");
-    }
-    /// Writes the whole structure as XML: cells with corners (mm), facets with planes and bindings.
-    virtual void write_cells(std::ostream&) const { throw CannotAnswer(name(), "its cells"); }
+/// Interface of models that subtract round tools directly. Callers pass sweeps for upright tools on
+/// straight motions, and cells otherwise.
+class SweepModel {
+public:
+    virtual ~SweepModel() = default;
+    virtual void subtract_sweep(const RoundSweep& sweep) = 0;
+};
+
+/// Interface of models that account for the volume that the cells of each origin remove.
+class AccountingModel {
+public:
+    virtual ~AccountingModel() = default;
+    /// Starts the account.
+    virtual void track_removal() = 0;
+    /// Returns the account. Volumes below 1e-15 of the stock are returned as 0.
+    virtual RemovalByMotion account() const = 0;
+};
+
+/// A workpiece that supports verification. clone() returns one, too.
+class VerifyingModel : public WorkpieceModel, public AccountingModel {
+public:
+    /// Returns a point (mm) whose every neighbourhood contains inner points of the cell and of the
+    /// part; empty if the two touch at most. Exact, and cheaper than the volume.
+    virtual std::optional<Vec3> contact(const Cell& cell) const = 0;
+    /// Returns the common volume (mm³) of the cell and the part; exactly 0 if the two touch at
+    /// most. For a tile: a summand, as in subtract().
+    virtual double common_volume(const Cell& cell) const = 0;
 };
 
 }  // namespace ncsim::cda

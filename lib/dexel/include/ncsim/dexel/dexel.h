@@ -50,7 +50,7 @@ double finest_resolution(Vec3 size);
 /// any other or inclined tool. The surface is closed for any cuts. Each vertex is within one cell
 /// of the grid (the resolution, along each axis) of ends of rays.
 /// Cost: 40 bytes per ray with one interval.
-class Dexel : public cda::WorkpieceModel {
+class Dexel : public cda::WorkpieceModel, public cda::SweepModel {
 public:
     static constexpr std::string_view kName = "dexel";
 
@@ -67,11 +67,7 @@ public:
     double subtract(const cda::Cell& cell) override;
     void subtract_unmeasured(std::span<const cda::Cell> cells) override;
     using cda::WorkpieceModel::subtract_unmeasured;
-    bool supports_sweeps() const override { return true; }
     void subtract_sweep(const cda::RoundSweep& sweep) override;
-    /// Throws: cda::CannotAnswer.
-    cda::RemovalByMotion account() const override;
-    void render(cda::FacetCanvas& canvas) const override;
     std::unique_ptr<cda::WorkpieceModel> clone() const override;
     /// Returns the mean of the volumes of the directions.
     double volume() const override;

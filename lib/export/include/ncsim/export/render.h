@@ -5,7 +5,7 @@
 
 #include "ncsim/brep/part_shading.h"
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/workpiece.h"
+#include "ncsim/cda/cell_model.h"
 #include "ncsim/export/image.h"
 #include "ncsim/export/overlay.h"
 #include "ncsim/export/render_options.h"
@@ -20,7 +20,7 @@ namespace ncsim::exporter {
 /// Guarantees: the same input gives the same bytes on every machine.
 /// Throws: std::runtime_error if the size or the number of samples is out of range.
 /// Source: Schüppel 2001, section 5.1.
-Image render_model(const cda::WorkpieceModel& model, const mesh::Provenance& provenance,
+Image render_model(const cda::FacetModel& model, const mesh::Provenance& provenance,
                    const RenderOptions& options, const Overlay& overlay = {});
 
 /// Draws `boundary`, cut open if the options have a plane. Faces that `shading` knows to be round

@@ -5,13 +5,13 @@
 #pragma once
 
 #include "ncsim/report/file_digests.h"
+#include "ncsim/simulation/plan.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace ncsim::report {
@@ -31,11 +31,10 @@ struct TileHead {
 /// Content of a file.
 struct TileFile {
     TileHead head;
-    /// Motions, from 1, and the number of their hulls that met the stock; only those that this tile
-    /// counts.
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> stock_contacts;
+    /// The motions that met the stock and that this tile counts.
+    std::vector<simulation::StockContact> stock_contacts;
     std::string evidence;  ///< For `check`: lines of verify::bytes_of(), none of which is empty.
-    std::string tile;      ///< Output of WorkpieceModel::write_tile; for `check`, possibly empty.
+    std::string tile;      ///< Output of TreeCda::write_tile; for `check`, possibly empty.
     std::string digest;    ///< Digest of all preceding bytes, in a file that was read.
 };
 

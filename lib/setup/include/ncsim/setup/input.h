@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace ncsim::setup {
 
@@ -28,6 +29,11 @@ inline constexpr std::uintmax_t kMostDeviceBytes = 64'000'000;
 class InputSet {
 public:
     InputSet() = default;
+    /// Expects `paths`.
+    explicit InputSet(const std::vector<std::string>& paths) {
+        for (const std::string& path : paths)
+            expect(path);
+    }
     InputSet(const InputSet&) = delete;
     InputSet& operator=(const InputSet&) = delete;
     virtual ~InputSet() = default;

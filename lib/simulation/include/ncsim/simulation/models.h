@@ -19,14 +19,12 @@ namespace ncsim::simulation {
 
 /// Description of a model for users and callers.
 struct ModelInfo {
-    std::string_view name;  ///< Value of the option `--model`.
-    std::string_view what;  ///< A phrase for help texts.
-    bool exact = false;     ///< The parts are equal to the aggregate's, corner for corner.
-    /// Answers contact() and common_volume() fast enough for a query per motion.
-    bool verifies = false;
+    std::string_view name;        ///< Value of the option `--model`.
+    std::string_view what;        ///< A phrase for help texts.
+    bool exact = false;           ///< The parts are equal to the aggregate's, corner for corner.
+    bool verifies = false;        ///< Is a cda::VerifyingModel, fast enough for a query per motion.
     bool has_resolution = false;  ///< Smaller details may be missing.
-    /// Supports write_statistics() and write_cells(), and is drawn by its masks, so pictures need
-    /// no boundary.
+    /// Is a cda::CellModel, so pictures need no boundary.
     bool shows_cells = false;
 };
 
@@ -56,5 +54,9 @@ struct ModelParameters {
 /// Returns an empty prototype. Throws: std::invalid_argument if there is no model of this name.
 std::unique_ptr<cda::WorkpieceModel> make_model(std::string_view name,
                                                 const ModelParameters& parameters = {});
+
+/// Returns the data of a tile, for cda::Tiles. Requires: `part` is of a model made with
+/// ModelParameters::tile.
+std::string tile_data(const cda::WorkpieceModel& part);
 
 }  // namespace ncsim::simulation

@@ -23,7 +23,7 @@ namespace ncsim::simulation {
 /// Contacts and content of a tile of the part. Empty if the program is not simulated.
 struct TileResult {
     std::vector<StockContact> stock_contacts;
-    std::string tile;  ///< In the form of WorkpieceModel::write_tile().
+    std::string tile;  ///< In the form of TreeCda::write_tile().
     verify::Evidence evidence;
 };
 

@@ -6,11 +6,11 @@
 //     if (verifier.needs_account()) part.track_removal();  // before the first cell
 //     verifier.begin(motion, &part);  // each motion has its own origin
 //     walk.take(motion, origin, [&](const toolpath::Step& step) {
-//         verifier.before_cut(step, part);
+//         verifier.before_cut(step);
 //         for (const cda::Cell& cell : step.cells) part.subtract(cell);
-//         verifier.after_cut(step, part, removed);
+//         verifier.after_cut(step, removed);
 //     });
-//     verifier.end(&part);
+//     verifier.end();
 #pragma once
 
 #include "ncsim/cda/workpiece.h"
@@ -40,21 +40,20 @@ public:
     Verifier(const Verifier&) = delete;
     Verifier& operator=(const Verifier&) = delete;
 
-    /// Begins a motion. `part` is the part before the motion; null if nothing is simulated.
-    void begin(const gcode::Motion& motion, const cda::WorkpieceModel* part = nullptr);
-    /// Observes `step` before the cells are removed from `part`.
-    /// Requires: the model of the part supports verification.
-    void before_cut(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    /// Begins a motion. All functions observe `part`, which the motion cuts; null if nothing is
+    /// simulated, or for the evidence of tiles.
+    void begin(const gcode::Motion& motion, const cda::VerifyingModel* part = nullptr);
+    /// Observes `step` before the cells are removed.
+    void before_cut(const toolpath::Step& step);
     /// Observes `step` after the cells are removed. `removed` is the removed volume (mm³); only
     /// used if measures_all().
-    void after_cut(const toolpath::Step& step, const cda::WorkpieceModel& part,
-                   double removed = 0.0);
+    void after_cut(const toolpath::Step& step, double removed = 0.0);
     /// Observes the tool at rest at the end of a motion with an unknown start.
-    void at_end_position(const toolpath::Step& step, const cda::WorkpieceModel& part);
-    /// Ends the motion and judges it; open contacts stay open. `part` is the part after the motion.
-    void end(const cda::WorkpieceModel* part = nullptr);
+    void at_end_position(const toolpath::Step& step);
+    /// Ends the motion and judges it; open contacts stay open.
+    void end();
     /// Ends the motion without judging it. Returns its open contacts if Setup::decides_contacts.
-    std::vector<OpenContact> end_steps(const cda::WorkpieceModel* part);
+    std::vector<OpenContact> end_steps();
     /// Judges the motion after end_steps(), whose open contacts have these decisions.
     void judge(std::span<const ContactDecision> decisions);
     /// True if after_cut() needs the removed volume of every step.
