@@ -34,6 +34,7 @@ ncsim_add_test(gcode
     program_text_test.cpp
     redundant_words_test.cpp
     refused_block_test.cpp
+    rewritten_programs_test.cpp
     rs274_test.cpp
     state_test.cpp
     symmetry_test.cpp
