@@ -39,6 +39,7 @@ ncsim_add_test(gcode
     state_test.cpp
     symmetry_test.cpp
     tilted_plane_test.cpp
-    tip_control_test.cpp)
+    tip_control_test.cpp
+    variable_values_test.cpp)
 # The table of codes is private to the library.
 target_include_directories(ncsim_gcode_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/gcode/src)
