@@ -9,6 +9,7 @@ ncsim_add_test(gcode
     compensation_corners_test.cpp
     controls_test.cpp
     corpus_test.cpp
+    damaged_programs_test.cpp
     dialect_test.cpp
     expression_test.cpp
     file_programs_test.cpp
@@ -40,6 +41,7 @@ ncsim_add_test(gcode
     symmetry_test.cpp
     tilted_plane_test.cpp
     tip_control_test.cpp
+    value_limits_test.cpp
     variable_values_test.cpp)
 # The table of codes is private to the library.
 target_include_directories(ncsim_gcode_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/gcode/src)
