@@ -13,6 +13,7 @@ ncsim_add_test(gcode
     dialect_test.cpp
     expression_test.cpp
     file_programs_test.cpp
+    formula_values_test.cpp
     head_modes_test.cpp
     klartext_plane_test.cpp
     klartext_approach_test.cpp
