@@ -49,7 +49,7 @@ struct Range {
         least = std::min(least, value);
         most = std::max(most, value);
     }
-    std::string text() const { return number(least) + ".." + number(most); }
+    std::string text() const { return least > most ? "-" : number(least) + ".." + number(most); }
 };
 
 double speed_of(const Motion& motion) {
@@ -133,7 +133,7 @@ Properties properties_of(const std::string& text, std::uint32_t line, Dialect di
     std::string codes;
     for (const std::string& code : said)
         codes += (codes.empty() ? "" : ",") + code;
-    return {{"low", number(z.least)},
+    return {{"low", z.least > z.most ? "-" : number(z.least)},
             {"last", number(last)},
             {"x", x.text()},
             {"y", y.text()},

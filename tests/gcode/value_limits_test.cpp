@@ -40,6 +40,10 @@ const std::vector<Limit> kKlartext{
      {"0", "10001"}},
     {"APPR CT X+10 Y+10 CCA@ R+8 RL F100\nL Y+50\nL X+50 R0", {"0.1", "360"}, {"0", "360.1"}},
     {"L X+10 F100\nCR X+20 Y+0 R+@ DR+", {"5"}, {"4.9"}},
+    {"L X+10 F@", {"1"}, {"-1"}},
+    {"TCH PROBE @ TOOL Q340=1\nL X+1 FMAX",
+     {"30", "33", "480", "485", "580", "589"},
+     {"29", "34", "479", "486", "579", "590"}},
 };
 
 const std::vector<Limit> kSinumerik{
