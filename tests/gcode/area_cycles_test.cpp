@@ -11,8 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -196,32 +194,6 @@ TEST(KlartextAreas, StudsStayAndTheBlankGoes) {
     EXPECT_NEAR(outermost(round), 32.0, 1e-9);  // Outside of the blank.
 }
 
-TEST(KlartextAreas, ThreadMilling) {
-    const std::string thread =
-        "CYCL DEF 262 THREAD Q335=20 Q239=+1.5 Q201=-6 Q253=750 Q351=+1 Q200=2 Q203=+0 Q204=20 "
-        "Q207=500 Q355=";
-    const std::string up = "G0 Z2.\nG1 Z-6. F750\nG3 X5. Y0. I2.5 J0. F500\n";
-    const std::string turns =
-        "G3 X5. Y0. I-5. J0. Z-4.5\nG3 X5. Y0. I-5. J0. Z-3.\n"
-        "G3 X5. Y0. I-5. J0. Z-1.5\nG3 X5. Y0. I-5. J0. Z0.\n";
-    const std::string back = "G3 X0. Y0. I-2.5 J0.\nG0 Z2.\nG0 Z20.";
-    klartext_test::expect_close(thread + "1\nM99", up + turns + back);
-    klartext_test::expect_close(thread + "0\nM99", up + "G3 X5. Y0. I-5. J0. Z-4.5\n" + back);
-    klartext_test::expect_close(thread + "2\nM99",
-                                up +
-                                    "G3 X5. Y0. I-5. J0. Z-4.5\nG3 X0. Y0. I-2.5 J0.\n"
-                                    "G1 Z-3. F750\nG3 X5. Y0. I2.5 J0. F500\n"
-                                    "G3 X5. Y0. I-5. J0. Z-1.5\n" +
-                                    back);
-    // A left-hand thread is milled downwards.
-    std::string left = thread + "0\nM99";
-    left.replace(left.find("+1.5"), 4, "-1.5");
-    klartext_test::expect_close(left,
-                                "G0 Z2.\nG1 Z-4.5 F750\nG3 X5. Y0. I2.5 J0. F500\n"
-                                "G3 X5. Y0. I-5. J0. Z-6.\n" +
-                                    back);
-}
-
 /// An SL program: labels 1 (a rectangle, by RL counter-clockwise), 2 (a round island) and 3 (a
 /// second pocket, by RR clockwise).
 Made contours(const std::string& labels, const std::string& cycles,
@@ -391,19 +363,6 @@ TEST(SinumerikAreas, Pocket3) {
     expect_swept(cut(pocket + "2,31,5)\n" + pocket + "2,12,5)"), area, -10.0, 42.0);
 }
 
-TEST(SinumerikAreas, InfeedsAreEqual) {
-    const Made r = cut("POCKET4(20,0,2,-10,12,0,0,4,0,0,500,150,0,11,5)");
-    std::vector<double> levels;
-    for (const Motion& motion : r.moves) {
-        if (std::holds_alternative<Arc>(motion.action)) levels.push_back(end_of(motion)->z.mm());
-    }
-    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-    ASSERT_EQ(levels.size(), 3U);
-    EXPECT_NEAR(levels[0], -10.0 / 3.0, 1e-9);
-    EXPECT_NEAR(levels[1], -20.0 / 3.0, 1e-9);
-    EXPECT_EQ(levels[2], -10.0);
-}
-
 TEST(SinumerikAreas, Pocket4HasARadiusOrWithModesADiameter) {
     const Distance circle = rectangle(40.0, 40.0, 20.0);
     const Made old = cut("POCKET4(20,0,2,-10,20,0,0,4,0,0,500,150,0,11,6)");
@@ -422,19 +381,6 @@ TEST(SinumerikAreas, Pocket1AndPocket2) {
                  rectangle(60.0, 40.0, 8.0, 15.0), -10.0, 40.0);
     expect_swept(cut("POCKET2(20,0,2,,10,20,1,2,150,500,4,3,0,0)"),
                  rectangle(40.0, 40.0, 20.0, 0.0, 1.0, 2.0), -10.0, 30.0);
-}
-
-TEST(SinumerikAreas, PlungeByVari) {
-    // Tens of VARI: rapid into a bored hole, feed.
-    const auto kind = [](const std::string& variant) {
-        const Made r = cut("POCKET4(20,0,2,-10,20,0,0,0,0,0,500,150,0," + variant + ",6)");
-        for (const Motion& motion : r.moves) {
-            if (end_of(motion)->z.mm() == -10.0) return motion.kind;
-        }
-        return MoveKind::Probe;
-    };
-    EXPECT_EQ(kind("1"), MoveKind::Rapid);
-    EXPECT_EQ(kind("11"), MoveKind::Feed);
 }
 
 TEST(SinumerikAreas, Spigots) {
@@ -480,18 +426,6 @@ TEST(SinumerikAreas, Face) {
         EXPECT_NEAR(end_of(motion)->x.mm(), start_of(motion)->x.mm(), 1e-9);
     }
     EXPECT_NEAR(lowest, -5.0, 1e-9);
-}
-
-TEST(SinumerikAreas, Thread) {
-    sinumerik_test::expect_close("CYCLE90(20,0,2,-3,,20,18,2.5,500,2,0,0,0)",
-                                 "G0 Z2.\nG2 X5. Y0. I2.5 J0. F500\n"
-                                 "G2 X5. Y0. I-5. J0. Z-0.5\nG2 X5. Y0. I-5. J0. Z-3.\n"
-                                 "G2 X0. Y0. I-2.5 J0.\nG0 Z2.\nG0 Z20.");
-    // An external thread: from outside.
-    sinumerik_test::expect_close("CYCLE90(20,0,2,-3,,20,18,2.5,500,3,1,0,0)",
-                                 "G0 X17.\nG0 Z2.\nG2 X14. Y0. I-1.5 J0. F500\n"
-                                 "G3 X14. Y0. I-14. J0. Z-0.5\nG3 X14. Y0. I-14. J0. Z-3.\n"
-                                 "G2 X17. Y0. I1.5 J0.\nG0 Z2.\nG0 Z20.");
 }
 
 TEST(SinumerikAreas, Faults) {

@@ -41,6 +41,7 @@ TEST(Dialect, IsConcludedFromSignsInTheProgram) {
         {"%PART G71 *\nN10 G30 G17 X+0 Y+0 Z-40*\nN20 G31 G90 X+100 Y+100 Z+0*\n", Dialect::Rs274,
          Kind::HeidenhainIso},
         {"10 L X+10 Y+10\n11 L Z-5\n", Dialect::Rs274, Kind::Heidenhain},
+        {"10 L X+Q1 Y+Q2\n11 L ZQ5\n", Dialect::Rs274, Kind::Heidenhain},
         {"1 TOOL DEF 1 L+0 R+5\n", Dialect::Rs274, Kind::Heidenhain},
         {"L  IX-10\nL Y+2 F100\n", Dialect::Rs274, Kind::Heidenhain},
         {"CC X+0 Y+0\nC X+5 Y+0 DR-\n", Dialect::Rs274, Kind::Heidenhain},
@@ -207,6 +208,13 @@ TEST(SubprogramFiles, AreWhatControlsCallThem) {
     EXPECT_EQ(subprogram_files("probe").front(), "probe.ngc");
     for (const char* bad : {"", ".", "../x", "a/b", "a\\b"})
         EXPECT_TRUE(subprogram_files(bad).empty()) << bad;
+}
+
+TEST(SubprogramFiles, HaveTheEndingOfAProgram) {
+    for (const char* name : {"a.ngc", "O12.NC", "x.tap", "b.txt", "dir/c.sub", "a.b.cnc"})
+        EXPECT_TRUE(is_program_file(name)) << name;
+    for (const char* name : {"", "a", ".nc", "nc", "a.ng", "a.nc.png", "a.", "Makefile"})
+        EXPECT_FALSE(is_program_file(name)) << name;
 }
 
 TEST(Interpreter, SaysWhichUnitsTheFirstLengthHad) {

@@ -8,9 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
-#include <vector>
 
 namespace ncsim::gcode::klartext_test {
 namespace {
@@ -213,42 +211,6 @@ TEST(KlartextCycles, CallPosWithTheToolAxisShiftsTheSurface) {
                        "program is stopped here [klartext-verb]");
 }
 
-TEST(KlartextCycles, PatternOnACircle) {
-    // The pattern runs when it is defined.
-    const std::string circle =
-        "CYCL DEF 220 POLAR PATTERN ~\n Q216=10 Q217=20 Q244=40 Q245=0 ~\n"
-        " Q246=360 Q247=0 Q241=4 ~\n Q200=2 Q203=0 Q204=50 Q301=1 Q365=0";
-    language_test::expect_close(
-        run(klartext(kDrill + circle)),
-        run(klartext(kDrill + "L X+30 Y+20 FMAX M99\nL X+10 Y+40 FMAX M99\n"
-                              "L X-10 Y+20 FMAX M99\nL X+10 Y+0 FMAX M99")));
-    // An angle between start and end: the last place is at the end.
-    language_test::expect_close(
-        run(klartext(kDrill + "CYCL DEF 220 Q216=0 Q217=0 Q244=40 Q245=0 Q246=90 Q247=0 Q241=2 "
-                              "Q200=2 Q203=0 Q204=50 Q301=1")),
-        run(klartext(kDrill + "L X+20 Y+0 FMAX M99\nL X+0 Y+20 FMAX M99")));
-    // A step.
-    language_test::expect_close(
-        run(klartext(kDrill + "CYCL DEF 220 Q216=0 Q217=0 Q244=40 Q245=90 Q246=360 Q247=90 Q241=2 "
-                              "Q200=2 Q203=0 Q204=50 Q301=1")),
-        run(klartext(kDrill + "L X+0 Y+20 FMAX M99\nL X-20 Y+0 FMAX M99")));
-}
-
-TEST(KlartextCycles, PatternOnLines) {
-    // Q301=0: the tool stays at the clearance; every second line runs back. The clearances of the
-    // pattern replace those of the cycle.
-    expect_close(kDrill +
-                     "CYCL DEF 221 Q225=5 Q226=6 Q237=10 Q238=20 Q242=3 Q243=2 Q224=0 Q200=4 "
-                     "Q203=1 Q204=30 Q301=0",
-                 "G99 G81 X5. Y6. Z-19. R5. F150\nX15.\nX25.\nY26.\nX15.\nX5.\nG80\n"
-                 "G0 Z31.");
-    // Rotated by 90 degrees about the start.
-    language_test::expect_close(
-        run(klartext(kDrill + "CYCL DEF 221 Q225=5 Q226=6 Q237=10 Q238=20 Q242=2 Q243=1 Q224=90 "
-                              "Q200=2 Q203=0 Q204=50 Q301=1")),
-        run(klartext(kDrill + "L X+5 Y+6 FMAX M99\nL X+5 Y+16 FMAX M99")));
-}
-
 TEST(KlartextCycles, PatternsRefused) {
     expect_refused("CYCL DEF 220 Q216=0 Q217=0 Q244=40",
                    "4:1: cycle 220 needs Q241; the program is stopped here [cycle-parameter]");
@@ -296,33 +258,6 @@ TEST(Klartext, SecondClearanceNeverDown) {
     expect_end(r, 1, 0, 10);
 }
 
-TEST(Klartext, Cycle201FeedsOut) {
-    expect_same(
-        "CYCL DEF 201 X Q200=2 Q201=-15 Q206=100 Q211=0.5 Q208=250 Q203=0 Q204=20\nL X+1 FMAX M99",
-        "G0 X1.\nZ2.\nG1 Z-15. F100\nG4 P500\nG1 Z2. F250\nG0 Z20.");
-}
-
-TEST(Klartext, Cycle202OrientsTheSpindle) {
-    const Made r =
-        run(klartext("CYCL DEF 202 X Q200=2 Q201=-15 Q206=100 Q211=0.2 Q208=0 Q203=0 Q204=2 "
-                     "Q214=1\nL X+1 FMAX M99\nL X+2 FMAX"));
-    EXPECT_EQ(r.errors(), "");
-    ASSERT_EQ(r.moves.size(), 6U);
-    EXPECT_TRUE(r.moves[4].spindle_oriented);
-    EXPECT_FALSE(r.moves[5].spindle_oriented);
-}
-
-TEST(Klartext, Cycle204BoresUpwards) {
-    const Made r =
-        run(klartext("CYCL DEF 204 X Q200=2 Q249=5 Q250=20 Q251=3 Q252=10 Q253=700 Q254=200 Q255=0 "
-                     "Q203=0 Q204=50 Q214=1\nL X+1 FMAX M99"));
-    EXPECT_EQ(r.errors(), "");
-    ASSERT_EQ(r.moves.size(), 8U);
-    EXPECT_NEAR(end_of(r.moves[3])->z.mm(), -32.0, 1e-9);
-    EXPECT_TRUE(r.moves[3].spindle_oriented);
-    EXPECT_NEAR(end_of(r.moves[4])->z.mm(), -25.0, 1e-9);
-}
-
 TEST(Klartext, Cycle240ByDepth) {
     EXPECT_EQ(run(klartext("CYCL DEF 240 X Q200=2 Q343=0 Q201=-3 Q344=-10 Q206=100 Q211=0 Q203=0 "
                            "Q204=20\nL X+1 FMAX M99"))
@@ -332,14 +267,6 @@ TEST(Klartext, Cycle240ByDepth) {
         run(klartext(
                 "CYCL DEF 240 X Q200=2 Q343=1 Q201=-3 Q344=-10 Q206=100 Q203=0\nL X+1 FMAX M99"))
             .says("klartext-verb"));
-}
-
-TEST(Klartext, OldCyclesBeginAtTheClearance) {
-    const Made r = run(
-        klartext("CYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SETUP 2\nCYCL DEF 1.2 DEPTH -3\nCYCL DEF 1.3 "
-                 "PECKG +5\nCYCL DEF 1.4 DWELL\nCYCL DEF 1.5 F100\nL Z+12 FMAX\nL X+5 FMAX M99"));
-    EXPECT_EQ(r.errors(), "");
-    EXPECT_NEAR(end_of(r.moves[3])->z.mm(), 7.0, 1e-9);
 }
 
 TEST(Klartext, ValuesAutoAndMaxInCycles) {

@@ -70,6 +70,11 @@ inline Made run(const std::string& text, const Files& files = {}, Dialect dialec
         print(line, motion);
         out.texts.push_back(line.substr(line.find(' ') + 1));
     });
+    // A message that the program is stopped is true.
+    for (const Diagnostic& d : out.result.diagnostics) {
+        if (d.message.find("the program is stopped here") == std::string::npos) continue;
+        EXPECT_TRUE(out.result.refused || out.result.stopped) << d.message << '\n' << text;
+    }
     return out;
 }
 

@@ -35,18 +35,7 @@ TEST(SinumerikCycles, FactorsThatAreNotUnderstood) {
         "");
 }
 
-TEST(SinumerikCycles, RigidTapping) {
-    const Made r = run(sinumerik("CYCLE84(16,10,5,1,,0,3,,1,0,500,400)"));
-    EXPECT_EQ(r.errors(), "");
-    ASSERT_EQ(r.moves.size(), 5U);
-    EXPECT_DOUBLE_EQ(r.moves[2].feed, 500.0);
-    EXPECT_DOUBLE_EQ(r.moves[3].feed, 400.0);
-    EXPECT_DOUBLE_EQ(r.end().z.mm(), 16.0);
-    EXPECT_EQ(r.moves[2].spindle, SpindleTurning::Clockwise);
-    EXPECT_EQ(r.moves[3].spindle, SpindleTurning::Counterclockwise);
-    EXPECT_EQ(run(sinumerik("CYCLE84(16,10,5,1,,0,3,8,,0,100)")).moves[2].feed, 125.0);
-    EXPECT_EQ(run(sinumerik("CYCLE84(16,10,5,1,,0,3,,-2,0,100)")).moves[2].spindle,
-              SpindleTurning::Counterclockwise);
+TEST(SinumerikCycles, UnitsOfThePitchInTapping) {
     // _PTAB: unit of the pitch. 0: as the program, 1: mm, 2: turns per inch, 3: inches.
     const auto feed = [](const std::string& unit, const std::string& pitch) {
         return run(sinumerik(unit + "\nCYCLE84(16,10,5,1,,0,3,," + pitch)).moves[2].feed;

@@ -5,12 +5,15 @@ ncsim_add_test(gcode
     codes_test.cpp
     control_codes_test.cpp
     control_table_test.cpp
+    cycle_values_test.cpp
     compensation_corners_test.cpp
     controls_test.cpp
     corpus_test.cpp
+    damaged_programs_test.cpp
     dialect_test.cpp
     expression_test.cpp
     file_programs_test.cpp
+    formula_values_test.cpp
     head_modes_test.cpp
     klartext_plane_test.cpp
     klartext_approach_test.cpp
@@ -33,10 +36,13 @@ ncsim_add_test(gcode
     program_text_test.cpp
     redundant_words_test.cpp
     refused_block_test.cpp
+    rewritten_programs_test.cpp
     rs274_test.cpp
     state_test.cpp
     symmetry_test.cpp
     tilted_plane_test.cpp
-    tip_control_test.cpp)
+    tip_control_test.cpp
+    value_limits_test.cpp
+    variable_values_test.cpp)
 # The table of codes is private to the library.
 target_include_directories(ncsim_gcode_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/gcode/src)

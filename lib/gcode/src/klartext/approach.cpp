@@ -5,6 +5,7 @@
 // Source: HEIDENHAIN TNC 640, User's Manual for Klartext Programming, 34059x, "Approaching and
 // departing a contour"; TNC7, 81762x-16 (direction of the arc).
 #include "ncsim/base/angles.h"
+#include "ncsim/base/ascii.h"
 
 #include "klartext/control.h"
 #include "text/message.h"
@@ -16,6 +17,12 @@
 
 namespace ncsim::gcode::klartext {
 namespace {
+
+/// True for "APPR PLT", "DEP PLCT" and their likes; any blanks separate the words.
+bool is_polar_form(std::string_view name) {
+    const std::size_t last = name.find_last_of(" \t") + 1;
+    return last < name.size() && upper(name[last]) == 'P';
+}
 
 using Point = Vec2;
 
@@ -174,7 +181,7 @@ bool Control::approach(const Block& block, const Block& next, const Block* centr
     const Form form = form_of(block);
     AxisMask mask = 0;
     Axes contour = ends(words, mask);
-    if (upper_of(block.name).starts_with("APPR P")) {
+    if (is_polar_form(block.name)) {
         if (!polar_end(block, words, contour)) return false;
     } else if ((mask & (1U << axes.first | 1U << axes.second)) == 0) {
         return needs("the first point of the contour");
@@ -300,7 +307,7 @@ bool Control::depart(const Block& block) {
     } else {
         AxisMask mask = 0;
         Axes end = ends(words, mask);
-        if (upper_of(block.name).starts_with("DEP P")) {
+        if (is_polar_form(block.name)) {
             if (!polar_end(block, words, end)) return false;
         } else if ((mask & (1U << axes.first | 1U << axes.second)) == 0) {
             return needs("the end point");

@@ -166,6 +166,7 @@ private:
     double value(std::uint32_t q, double otherwise) const { return value(q).value_or(otherwise); }
     bool needs(std::initializer_list<std::uint32_t> parameters, SourceSpan span);
     std::optional<double> feed_value(std::uint32_t q) const;
+    std::optional<double> feed_out(double down) const;
     bool drill(SourceSpan span);
     bool peck(SourceSpan span, double surface, double bottom, double clear);
     bool bore(double bottom, double clear);

@@ -407,6 +407,14 @@ std::optional<double> Control::feed_value(std::uint32_t q) const {
     return found->second.number;
 }
 
+/// Returns the feed out of a hole (Q208): the feed `down` for 0 and without Q208; nullopt for FMAX.
+std::optional<double> Control::feed_out(double down) const {
+    if (!cycle_.values.contains(208)) return down;
+    const std::optional<double> up = feed_value(208);
+    if (!up) return std::nullopt;
+    return *up > 0.0 ? feed_of(*up) : down;
+}
+
 bool Control::needs(std::initializer_list<std::uint32_t> parameters, SourceSpan span) {
     for (const std::uint32_t q : parameters) {
         if (cycle_.values.contains(q)) continue;
@@ -478,14 +486,10 @@ bool Control::drill(SourceSpan span) {
             done = needs({206}, span) && move_to(bottom, down) && dwell(value(211, 0.0)) &&
                    move_to(clear, std::nullopt);
             break;
-        case 201: {
-            const double up = feed_of(value(208, 0.0));
+        case 201:
             done = needs({206}, span) && move_to(bottom, down) && dwell(value(211, 0.0)) &&
-                   move_to(clear, feed_value(208) ? std::optional(up > 0.0 ? up : down)
-                                  : cycle_.values.contains(208) ? std::nullopt
-                                                                : std::optional(down));
+                   move_to(clear, feed_out(down));
             break;
-        }
         case 202: done = needs({206}, span) && bore(bottom, clear); break;
         case 2:
         case 17:
@@ -584,9 +588,7 @@ bool Control::single_lip_drill(SourceSpan span, double surface, double bottom, d
     pecks.least = std::min(pecks.infeed, std::abs(value(205, 0.0)));
     pecks.ahead = options_.peck_clearance.value_or(0.2 / state.unit_mm());
     pecks.feed = feed_of(feed_value(206).value_or(0.0));
-    const bool is_rapid = cycle_.values.contains(208) && !feed_value(208);
-    const double up = feed_of(feed_value(208).value_or(0.0));
-    if (!is_rapid) pecks.up = up > 0.0 ? up : pecks.feed;
+    pecks.up = feed_out(pecks.feed);
     pecks.dwell_below = value(211, 0.0);
     turn(false);
     bool done = from == surface || move_to(from, feed_or_rapid(253));
@@ -603,9 +605,7 @@ bool Control::single_lip_drill(SourceSpan span, double surface, double bottom, d
 bool Control::bore(double bottom, double clear) {
     const double down = feed_of(feed_value(206).value_or(0.0));
     if (!move_to(bottom, down) || !dwell(value(211, 0.0))) return false;
-    const std::optional<double> feed = feed_value(208);
-    return bore_out(clear, feed && *feed > 0.0 ? std::optional(feed_of(*feed)) : std::nullopt,
-                    value(214, 0.0) != 0.0);
+    return bore_out(clear, feed_out(down), value(214, 0.0) != 0.0);
 }
 
 /// 204: bores upwards from below the part. The tool goes through the hole with the spindle

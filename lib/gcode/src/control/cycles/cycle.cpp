@@ -80,6 +80,8 @@ bool drill(MachineState& state, const Drilling& drilling, const Axes& above, Con
     const CycleState& cycle = state.cycle;
     const SpindleTurning turning = state.spindle;
     const double seconds = cycle.p;
+    // LinuxCNC feeds back to the clear height in G74, G84 and G89; Fanuc and Haas feed to R.
+    const double fed_back = context.rules.macro_b ? r : clear;
 
     if (motion == Code::G73 || motion == Code::G83) {
         const double clearance = context.options.peck_clearance.value_or(0.254 / state.unit_mm());
@@ -112,8 +114,9 @@ bool drill(MachineState& state, const Drilling& drilling, const Axes& above, Con
             state.spindle =
                 motion == Code::G84 ? SpindleTurning::Counterclockwise : SpindleTurning::Clockwise;
             context.path.dwell(state, seconds);
-            to(clear, MoveKind::Feed);
+            to(fed_back, MoveKind::Feed);
             state.spindle = turning;
+            if (fed_back != clear) to(clear, MoveKind::Rapid);
             break;
         case Code::G85:
             to(r, MoveKind::Feed);
@@ -132,7 +135,8 @@ bool drill(MachineState& state, const Drilling& drilling, const Axes& above, Con
             break;
         case Code::G89:
             context.path.dwell(state, seconds);
-            to(clear, MoveKind::Feed);
+            to(fed_back, MoveKind::Feed);
+            if (fed_back != clear) to(clear, MoveKind::Rapid);
             break;
         default: break;
     }

@@ -110,7 +110,6 @@ bool nurbs_move(ControlState& control, const Command& command, Code motion, Cont
     Curve& curve = control.curve;
     if (motion == Code::G5_2) {
         if (!curve.by_points) {
-            curve = {};
             curve.order = static_cast<int>(std::clamp(command.get('L', 3.0), 2.0, 20.0));
             curve.points.push_back(
                 point(state.position[kX], state.position[kY], command.get('P', 1.0)));
@@ -151,7 +150,6 @@ bool nurbs_move_with_knots(ControlState& control, const Command& command, Contex
     }
     if (!needs_feed(state, command, "G6.2", context)) return false;
     if (!curve.by_knots) {
-        curve = {};
         if (!command.has('P'))
             return fail(context, Message::SplineWords, command.span, {"G6.2", "P"});
         curve.order = static_cast<int>(std::clamp(command['P'], 2.0, 20.0));

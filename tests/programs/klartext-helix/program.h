@@ -1,0 +1,16 @@
+0 BEGIN PGM T MM
+1 ; CP with Z: nine turns down, a turn and a quarter, and a full turn whose sign DR decides
+2 BLK FORM 0.1 Z X-20 Y-20 Z-20
+3 BLK FORM 0.2 X+20 Y+20 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S1000
+6 L X+0 Y+0 Z+50 R0 FMAX M3
+7 L X+10 FMAX
+8 L Z+0 F100
+9 CC X+0 Y+0
+10 CP IPA+3240 IZ-13.5 DR+
+11 CP IPA-450 Z-15 DR-
+12 CP IPA+360 Z-17 DR-
+13 L Z+50 R0 FMAX
+14 M30
+15 END PGM T MM
