@@ -36,8 +36,8 @@ constexpr double kUncertaintyMm = 1e-6;
 constexpr std::size_t kNamedLines = 8;
 
 // Returns the uncertainty of the file: a little more than the largest distance of an edge from its
-// surfaces, at least kUncertaintyMm. Readers drop the parameter curves of edges that are off by more,
-// and project these edges themselves.
+// surfaces, at least kUncertaintyMm. Readers drop the parameter curves of edges that are off by
+// more, and project these edges themselves.
 StepValue uncertainty_of(const brep::Part& part) {
     constexpr double kMargin = 1.01;
     return part.miss_mm > kUncertaintyMm ? StepValue(kMargin * part.miss_mm) : kUncertainty;
