@@ -96,7 +96,7 @@ std::vector<Vec3> arc(double from, double to, double radius, double z) {
 }
 
 // Readers measure at both ends and at equal steps between; whatever deviates more, they doubt.
-// Their cuts fail where an edge is off its surfaces.
+// Their cuts may fail where edges are off their surfaces along their length.
 TEST(ArcSpline, DeviatesMostAtItsEnds) {
     constexpr int kPlaces = 997;
     const Vec3 x{0.6, 0.0, 0.8}, y{0.0, 1.0, 0.0}, axis = cross(x, y);

@@ -24,7 +24,7 @@ std::optional<Spline> intersection_spline(const Form& a, const Form& b,
 /// most, go from the point to the circle without leaving the direction of the circle at its end;
 /// the rest is within 1e-9 mm of the circle. So the spline deviates most at an end: readers measure
 /// an edge at a few places, which include the ends, and doubt an edge that deviates more between
-/// them. Where an edge is off its surfaces, cuts of readers fail.
+/// them. Some cuts of readers fail where edges are off their surfaces along their length.
 Spline arc_spline(const Circle& circle, Vec3 from, Vec3 to);
 
 }  // namespace ncsim::brep
