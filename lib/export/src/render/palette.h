@@ -21,10 +21,10 @@ namespace ncsim::exporter {
 struct LinearColour {
     float r = 0, g = 0, b = 0;
 
-    friend LinearColour operator+(LinearColour a, LinearColour b) {
-        return {a.r + b.r, a.g + b.g, a.b + b.b};
+    friend LinearColour operator+(LinearColour one, LinearColour other) {
+        return {one.r + other.r, one.g + other.g, one.b + other.b};
     }
-    friend LinearColour operator*(float s, LinearColour a) { return {s * a.r, s * a.g, s * a.b}; }
+    friend LinearColour operator*(float s, LinearColour c) { return {s * c.r, s * c.g, s * c.b}; }
 };
 
 /// Returns `channel`, from 0 to 255, rounded. The sum of a float and a half is exact as a double.

@@ -144,12 +144,11 @@ private:
         const bool are_tables = type_of(items) == "object";
         const bool is_expected = all && (are_tables ? all->empty() || all->is_array_of_tables()
                                                     : !has_size || all->size() == least);
-        if (!is_expected) {
-            if (are_tables) check_.fail(node, fmt::format("write [[{}]]", key));
-            fail(node, key,
-                 has_size ? fmt::format("expected {} values in brackets", least)
-                          : expected_list(items));
-        }
+        if (!is_expected && are_tables) return check_.fail(node, fmt::format("write [[{}]]", key));
+        if (!is_expected)
+            return fail(node, key,
+                        has_size ? fmt::format("expected {} values in brackets", least)
+                                 : expected_list(items));
         for (const toml::node& element : *all)
             value(element, items, key);
     }
@@ -190,8 +189,7 @@ private:
         }
     }
 
-    [[noreturn]] void fail(const toml::node& node, const std::string& key,
-                           const std::string& what) const {
+    void fail(const toml::node& node, const std::string& key, const std::string& what) const {
         check_.fail(node, fmt::format("'{}': {}", key, what));
     }
 
