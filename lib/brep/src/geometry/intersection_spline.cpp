@@ -245,7 +245,12 @@ Spline arc_spline(const Circle& circle, Vec3 from, Vec3 to) {
         const double square = handle.sin * handle.sin;
         return 4.0 / 27.0 * circle.radius * square * square * square / (handle.cos * handle.cos);
     };
-    while (sweep > 15.0 * pieces || miss() > kRounding)
+    // Shorter pieces would turn away from the direction of the circle.
+    const Form ball = Sphere{circle.centre, circle.radius};
+    const double shortest =
+        100.0 * std::max(std::abs(distance(ball, from)), std::abs(distance(ball, to)));
+    const double length = circle.radius * sweep * kRadiansPerDegree;
+    while ((sweep > 15.0 * pieces || miss() > kRounding) && length > shortest * pieces)
         handle = sin_cos(0.25 * sweep / ++pieces);
     const double step = sweep / pieces;
     const double width = circle.radius * step * kRadiansPerDegree;
