@@ -127,6 +127,13 @@ TEST(ArcSpline, DeviatesMostAtItsEnds) {
                 }
                 EXPECT_LT(off(0.35), 2e-9 + 3e-3 * most);
                 EXPECT_LT(off(0.65), 2e-9 + 3e-3 * most);
+                // No piece leaves the direction of the circle, unless the arc is too short.
+                const bool is_long = radius * sweep * std::numbers::pi / 180.0 > 300.0 * most;
+                for (int i = 0; is_long && i <= kPlaces; ++i) {
+                    const double t = static_cast<double>(i) / kPlaces;
+                    const Vec3 out = normalized(track.at(t) - circle.centre);
+                    EXPECT_LT(std::abs(dot(normalized(track.derivative(t)), out)), 0.025) << t;
+                }
                 // The arc goes the whole way, evenly.
                 const Vec3 half = track.at(0.5) - circle.centre;
                 EXPECT_LT(norm(half - (place(10.0 + 0.5 * sweep, 0.0) - circle.centre)),

@@ -659,7 +659,7 @@ TEST(Explain, CollectsWhatABlockDoes) {
     EXPECT_EQ(loop.motions.size(), 3U);
     EXPECT_NEAR(loop.distances.feed_mm, 30.0, 1e-9);
     ASSERT_TRUE(loop.removed_mm3);
-    // From X-10 to X20: 20 mm of a slot 6 mm wide and 2 mm deep, and half a disc.
+    // A slot from X-10 to X20: 20 mm in the stock, 6 mm wide and 2 mm deep, and half a disc.
     EXPECT_NEAR(*loop.removed_mm3, 2 * (6 * 20 + 4.5 * 3.14159265), 0.5);
     EXPECT_TRUE(loop.is_changed[static_cast<std::size_t>(ModeGroup::Distance)]);
     EXPECT_FALSE(loop.is_changed[static_cast<std::size_t>(ModeGroup::Units)]);

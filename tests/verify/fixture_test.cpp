@@ -162,7 +162,8 @@ TEST(FixtureScene, BoxOfAContactIsInItsFixture) {
     ASSERT_EQ(contacts.size(), 1U);
     EXPECT_EQ(contacts[0].fixture, 0U);
     EXPECT_EQ(contacts[0].piece, 0U);
-    // From the clearance at X48 to the edge of the tool at X53, from Z0 to the clearance at Z7.
+    // The box reaches from the clearance at X48 to the edge of the tool at X53, and from Z0 to the
+    // clearance at Z7.
     EXPECT_NEAR(contacts[0].box.min.x, 48.0, 1e-9);
     EXPECT_NEAR(contacts[0].box.max.x, 53.0, 0.02);
     EXPECT_NEAR(contacts[0].box.min.y, 0.0, 0.02);

@@ -144,7 +144,8 @@ TEST(MachineScene, NotesTheWorstContactOfAPair) {
         observation.values = machine::Values{1, 2, value};
         return observation;
     };
-    // From harmless to bad: a large distance, a small one, certainty, an open touch, depth.
+    // Contacts in order of severity, the worst last: a large distance, a small one, certainty, an
+    // open touch, depth.
     const std::vector<verify::Observation> rising{seen(false, false, 4.0), seen(false, false, 3.0),
                                                   seen(false, true, 4.5),  seen(false, true, 1.0),
                                                   seen(true, false, 0.5),  seen(true, false, 0.7),

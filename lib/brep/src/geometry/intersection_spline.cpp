@@ -245,7 +245,7 @@ Spline arc_spline(const Circle& circle, Vec3 from, Vec3 to) {
         const double square = handle.sin * handle.sin;
         return 4.0 / 27.0 * circle.radius * square * square * square / (handle.cos * handle.cos);
     };
-    // Shorter pieces would turn away from the direction of the circle.
+    // Shorter pieces leave the direction of the circle.
     const Form ball = Sphere{circle.centre, circle.radius};
     const double shortest =
         100.0 * std::max(std::abs(distance(ball, from)), std::abs(distance(ball, to)));

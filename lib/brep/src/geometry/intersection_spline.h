@@ -20,12 +20,14 @@ std::optional<Spline> intersection_spline(const Form& a, const Form& b,
                                           const std::vector<Vec3>& points);
 
 /// Returns the arc of `circle` from `from` to `to`, counter-clockwise about the axis, as a spline
-/// that ends in both points although they miss the circle. The first and the last piece, of 15° at
-/// most, go from the point to the circle without leaving the direction of the circle at its end;
-/// the rest is within 1e-9 mm of the circle, if pieces are longer than 100 times the miss.
-/// So the spline deviates most at an end: readers measure an edge at a few places, which include
-/// the ends, and doubt an edge that deviates more between them. Some cuts of readers fail where
-/// edges are off their surfaces along their length.
+/// that ends in both points, which may miss the circle by a distance d. The first and the last
+/// piece go from the point to the circle and have the direction of the circle at both ends. Pieces
+/// turn by 15° at most, and inner pieces are within 1e-9 mm of the circle, unless pieces would be
+/// shorter than 100 d: shorter pieces leave the direction of the circle on their way.
+///
+/// The spline deviates most at an end. Readers measure an edge at its ends and at a few places
+/// between, and doubt an edge that deviates more elsewhere. Some cuts of readers fail where edges
+/// are off their surfaces along their length.
 Spline arc_spline(const Circle& circle, Vec3 from, Vec3 to);
 
 }  // namespace ncsim::brep
