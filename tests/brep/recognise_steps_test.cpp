@@ -238,14 +238,18 @@ TEST(FaceMap, KeepsDistancesOnPlanesAndCylinders) {
                         EXPECT_NEAR(place.deviation, 0.0, 1e-9) << solid.name;
                         const Vec2 a = map(p), b = map(q);
                         const double ratio = std::hypot(b.x - a.x, b.y - a.y) / norm(q - p);
-                        if (is_plane) EXPECT_NEAR(ratio, 1.0, 1e-6) << solid.name;
+                        if (is_plane) {
+                            EXPECT_NEAR(ratio, 1.0, 1e-6) << solid.name;
+                        }
                         EXPECT_GT(ratio, 1e-3) << solid.name << ": no point is a whole edge";
                         EXPECT_EQ(map(p).x, place.at.x);
                     }
                 }
             }
             EXPECT_EQ(map.is_cone(), std::holds_alternative<Cone>(face.surface.form));
-            if (is_plane) EXPECT_TRUE(map.keeps_lines());
+            if (is_plane) {
+                EXPECT_TRUE(map.keeps_lines());
+            }
         }
     }
 }

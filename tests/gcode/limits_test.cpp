@@ -162,10 +162,11 @@ TEST(Limits, OfFunctions) {
     };
     for (const Row& row : rows) {
         const double value = value_of(row.text);
-        if (std::isnan(row.value))
+        if (std::isnan(row.value)) {
             EXPECT_TRUE(std::isnan(value)) << row.text;
-        else
+        } else {
             EXPECT_NEAR(value, row.value, 1e-9) << row.text;
+        }
     }
 }
 

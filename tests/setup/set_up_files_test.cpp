@@ -361,8 +361,9 @@ TEST(MachineText, IsReadAgainAsTheSameMachine) {
         EXPECT_EQ(first.start, second.start);
         EXPECT_EQ(first.clamps.size(), second.clamps.size());
         // The sheets differ only by what the text leaves out.
-        if (not_in_machine_toml(first).empty())
+        if (not_in_machine_toml(first).empty()) {
             EXPECT_EQ(machine_sheet(first), machine_sheet(second));
+        }
     }
 }
 

@@ -202,7 +202,9 @@ TEST(JointPath, SplinesAreNotMoreLegsThanNeeded) {
         };
         const std::size_t chords = legs.motions.size();
         EXPECT_LE(farthest(chords), legs.missed_mm);
-        if (chords > 4) EXPECT_GT(farthest(chords / 2), 0.5 * legs.missed_mm);
+        if (chords > 4) {
+            EXPECT_GT(farthest(chords / 2), 0.5 * legs.missed_mm);
+        }
         for (std::size_t k = 0; k < chords; ++k) {
             const Position from = *gcode::start_of(legs.motions[k]);
             EXPECT_EQ(from, k == 0 ? spline.from : *gcode::end_of(legs.motions[k - 1]));
