@@ -29,11 +29,16 @@ using verify::FixtureScene;
 constexpr Box kJaw{{50, 0, -10}, {60, 10, 5}};
 constexpr double kRadius = 5.0;
 
+Fixture box_fixture(std::string name, const Box& box) {
+    Fixture fixture;
+    fixture.name = std::move(name);
+    fixture.box = box;
+    return fixture;
+}
+
 verify::Setup setup_with(const Box& box, double clearance_mm) {
     verify::Setup setup = plain_setup();
-    Fixture jaw;
-    jaw.name = "jaw";
-    jaw.box = box;
+    Fixture jaw = box_fixture("jaw", box);
     jaw.clearance_mm = clearance_mm;
     setup.machine.fixtures = {jaw};
     return setup;
@@ -151,7 +156,7 @@ TEST(FixtureScene, ContactsAreThoseOfADisc) {
         EXPECT_EQ(text_of(contacts_of(mesh, row.from, row.to)), row.with_clearance) << "mesh";
         // A fixture far away changes nothing.
         verify::Setup both = with;
-        both.machine.fixtures.push_back({.name = "far", .box = {{900, 0, 0}, {910, 10, 10}}});
+        both.machine.fixtures.push_back(box_fixture("far", {{900, 0, 0}, {910, 10, 10}}));
         EXPECT_EQ(text_of(contacts_of(both, row.from, row.to)), row.with_clearance) << "two";
     }
 }
@@ -175,8 +180,8 @@ TEST(FixtureScene, BoxOfAContactIsInItsFixture) {
 TEST(FixtureScene, EachFixtureAndPieceHasOneContact) {
     verify::Setup setup =
         setup_with_holder();  // shank from 5 mm, holder of radius 20 mm from 30 mm
-    setup.machine.fixtures = {{.name = "low", .box = {{10, -5, 0}, {20, 5, 4}}},
-                              {.name = "high", .box = {{10, -5, 0}, {20, 5, 40}}}};
+    setup.machine.fixtures = {box_fixture("low", {{10, -5, 0}, {20, 5, 4}}),
+                              box_fixture("high", {{10, -5, 0}, {20, 5, 40}})};
     FixtureScene scene(setup);
     std::vector<FixtureContact> contacts;
     find(scene, {0, 0, 1}, {6, 0, 1}, contacts);
