@@ -245,13 +245,14 @@ TEST(Check, FindsNeighboursThatCrossBeforeTheirCorner) {
     EXPECT_EQ(faults(1e-7), "");
 }
 
-// Returns the faults of a slot's floor along an arc of radius 7.2 mm, cut by a tool of 6 mm, that
-// ends at the circle of a plunge. The outer arc and the circle are tangent at their common vertex
-// if `miss`, the offset of the circle's centre, is 0.
-std::string faults_beside_plunge(double miss) {
-    const Circle outside{{}, kUp, 10.2}, inside{{}, kUp, 4.2};
-    const Circle plunge{{7.2 + miss, 0, 0}, -kUp, 3.0}, start{{-7.2, 0, 0}, -kUp, 3.0};
-    return faults_between({{-10.2, 0, 0}, {10.2, 0, 0}, {4.2, 0, 0}, {-4.2, 0, 0}},
+// Returns the faults of a slot's floor along an arc of radius `path`, cut by a tool of radius
+// `tool`, that ends at the circle of a plunge. The outer arc and the circle are tangent at their
+// common vertex if `miss`, the offset of the circle's centre, is 0.
+std::string faults_beside_plunge(double miss, double path = 7.2, double tool = 3.0) {
+    const double out = path + tool, in = path - tool;
+    const Circle outside{{}, kUp, out}, inside{{}, kUp, in};
+    const Circle plunge{{path + miss, 0, 0}, -kUp, tool}, start{{-path, 0, 0}, -kUp, tool};
+    return faults_between({{-out, 0, 0}, {out, 0, 0}, {in, 0, 0}, {-in, 0, 0}},
                           {{0, 1, outside}, {1, 2, plunge}, {3, 2, inside}, {0, 3, start}},
                           {{0, true}, {1, true}, {2, false}, {3, false}});
 }
@@ -260,6 +261,16 @@ TEST(Check, FindsArcsThatRunOutTogetherAndCross) {
     EXPECT_EQ(faults_beside_plunge(0.0), "");
     for (const double miss : {1e-9, 1e-8, 1e-7})
         EXPECT_NE(faults_beside_plunge(miss).find(kCrossOrTouch), std::string::npos) << miss;
+}
+
+// The chords of a small and a large arc that are tangent lie on each other at some of these ratios.
+TEST(Check, LetsSmallArcsRunOutTogether) {
+    for (const double tool : {0.05, 0.15, 0.3048, 0.4, 1.5}) {
+        for (int k = 0; k < 200; ++k) {
+            const double path = tool * (1.1 + 0.05 * k);
+            EXPECT_EQ(faults_beside_plunge(0.0, path, tool), "") << tool << " on " << path;
+        }
+    }
 }
 
 TEST(Check, LetsArcsThatEndInTheirCornerTouchThere) {

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <variant>
 
@@ -216,6 +217,52 @@ TEST(Recognise, CirclesAreAsWideAsTheirWalls) {
         }
     }
     EXPECT_GT(circles, 8);
+}
+
+Made arc_between_plunges(const std::string& arc, double tolerance) {
+    return test::make_part(setup::job_of({"arc.nc",
+                                          "(T1 D=3. CR=0. - flat end mill)\n"
+                                          "(STOCK/BLOCK,60.,60.,12.,30.,30.,12.)\n"
+                                          "G21 G90 G17 F300 S5000 M3\nT1 M6\n"
+                                          "G0 X20 Y0 Z5\nG1 Z-3\nG0 Z-2\n" +
+                                              arc + "\nG1 Z-3\nG0 Z5\nM30\n"}),
+                           tolerance);
+}
+
+// Ends and centre are rounded to a micrometre, so the radii of both ends differ by as much. The
+// walls are about the circle through both ends, and tangent to the plunges there.
+TEST(Recognise, ArcsEndWhereTheToolPlunges) {
+    for (const std::string arc : {"G3 X14.143 Y14.142 I-20 J0", "G2 X-0.001 Y-20.002 I-20 J0",
+                                  "G3 X5.176 Y19.319 I-20 J0", "G2 X0.667 Y19.988 I-20 J0"}) {
+        for (const double tolerance : {0.05, 0.02, 0.0055}) {
+            SCOPED_TRACE(arc + " within " + std::to_string(tolerance));
+            const Made made = arc_between_plunges(arc, tolerance);
+            // Block with a top and two floors of holes; floor of the slot; its two walls and the
+            // walls of both holes, each in one piece.
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_EQ(kinds_of(made.solid.part), (Kinds{9, 4}));
+            EXPECT_LE(made.solid.part.miss_mm, 1e-9);
+        }
+    }
+}
+
+// The same circle has its centre 7 mm away if the ends are 1.4 µm apart, one of them off by 1 µm.
+TEST(Recognise, NearlyFullCirclesKeepTheirCentre) {
+    for (const std::string arc : {"G3 X20.001 Y-0.001 I-20 J0", "G2 X19.998 Y0.02 I-20 J0"}) {
+        SCOPED_TRACE(arc);
+        const Made made = arc_between_plunges(arc, 0.02);
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        int walls = 0;
+        for (const Face& face : made.solid.part.faces) {
+            const auto* wall = std::get_if<Cylinder>(&face.surface.form);
+            if (!wall || wall->radius < 10.0) continue;
+            ++walls;
+            EXPECT_NEAR(wall->origin.x, 0.0, 3e-3);
+            EXPECT_NEAR(wall->origin.y, 0.0, 3e-3);
+            EXPECT_NEAR(std::abs(wall->radius - 20.0), 1.5, 2e-3);
+        }
+        EXPECT_EQ(walls, 2);
+    }
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ public:
     /// circles about the axis of a cylinder or cone.
     std::optional<Round> round_of(const WholeCircle& circle) const;
 
+    bool is_plane() const { return std::holds_alternative<Plane>(*form_); }
     bool is_cone() const { return std::holds_alternative<Cone>(*form_); }
     /// True if `at` is on the half of a coil's circle that leaves no surface there.
     bool is_of_other_half(Vec2 at, double tolerance_mm) const;

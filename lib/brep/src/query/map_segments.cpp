@@ -138,6 +138,16 @@ bool have_common_end(const MapSegment& s, const MapSegment& t) {
     return s.to == t.from || t.to == s.from || s.from == t.from || s.to == t.to;
 }
 
+// True if both are pieces of lines or circles of a plane. Contact near a common corner is decided
+// on the curves of such pieces (arc_crossings.h): short chords of a small and a large circle that
+// are tangent may overlap by chance.
+bool are_plane_arcs(const FaceMap& map, const MapSegment& s, const MapSegment& t) {
+    const auto is_arc = [](const MapSegment& piece) {
+        return piece.is_straight || piece.track->circle() != nullptr;
+    };
+    return map.is_plane() && is_arc(s) && is_arc(t);
+}
+
 // Segments by the strips of x in which they lie. A face with a grid of holes has many segments at
 // the same height, but few of them are near each other.
 class Strips {
@@ -246,7 +256,9 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const FaceMap& map,
         const RepeatedContact near_end{clear, 0.0, 0.05};
         const auto is_near = [&] {
             return interfere(s, t, clear) &&
-                   (map.is_cone() || std::min(s.length(), t.length()) < near_end.least_distance ||
+                   (map.is_cone() ||
+                    (std::min(s.length(), t.length()) < near_end.least_distance &&
+                     !are_plane_arcs(map, s, t)) ||
                     neighbours_meet_again(map, s, t, near_end));
         };
         return have_common_end(s, t) ? is_near() || neighbours_meet_again(map, s, t, kCrossing) ||

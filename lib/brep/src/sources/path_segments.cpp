@@ -63,11 +63,17 @@ Pose pose_of(const gcode::FeatureFrame& frame) {
     return X_WF;
 }
 
-// Returns the distance between two points without the coordinate `left_out`.
-double norm_across(Vec3 p, Vec3 q, int left_out) {
-    Vec3 v = p - q;
-    v[left_out] = 0.0;
-    return norm(v);
+// Returns the centre of the circle through both ends of an arc, which is level about `about`: the
+// nearest to `centre`, along the chord. No point of the arc moves farther than the end, or than
+// rounding; the centre stays where the ends of more than half a turn nearly coincide.
+Vec3 centre_of_ends(Vec3 centre, Vec3 from, Vec3 to, Vec3 about) {
+    const Vec3 chord = radial_vector(from, normalized(about), to);
+    const double square = dot(chord, chord);
+    if (square <= kRounding) return centre;
+    const Vec3 fitted = centre - (dot(centre - 0.5 * (from + to), chord) / square) * chord;
+    const bool is_up_to_half_a_turn =
+        norm(about) <= 1.0 && dot(about, cross(chord, centre - from)) >= 0.0;
+    return is_up_to_half_a_turn || norm(fitted - centre) <= kTangencyGapMm ? fitted : centre;
 }
 
 // Returns the path in the coordinates of the arc.
@@ -86,18 +92,11 @@ std::optional<ArcPath> arc_path(const gcode::Arc& arc) {
         const double x = p[first] - path.centre[first], y = p[second] - path.centre[second];
         return std::sqrt(x * x + y * y);
     };
+    const double growth = radius(to) - radius(from);
+    // The radii of both ends differ only because programs round ends and centre.
+    const bool is_circle = std::abs(growth) <= 4.0 * kLeastSizeMm;
+    if (is_circle) path.centre = centre_of_ends(path.centre, from, to, arc.turns * path.about);
     path.radius = 0.5 * (radius(from) + radius(to));
-    path.fitted = path.centre;
-    Vec3 chord = to - from;
-    chord[third] = 0.0;
-    // The centre moves along the chord. Programs round ends and centre, and a height error of a
-    // micrometre where the path is level is a large error to the side.
-    if (const double square = dot(chord, chord); square > kRounding) {
-        const Vec3 middle = 0.5 * (from + to);
-        path.fitted = path.centre - (dot(path.centre - middle, chord) / square) * chord;
-    }
-    path.fitted_radius =
-        0.5 * (norm_across(from, path.fitted, third) + norm_across(to, path.fitted, third));
     path.is_level = std::abs(from[third] - to[third]) <= kRounding;
     const auto level = [&](Vec3 p) {
         Vec3 v = p - path.centre;
@@ -114,9 +113,7 @@ std::optional<ArcPath> arc_path(const gcode::Arc& arc) {
     path.swept = swept * kRadiansPerDegree;
     path.rise = (to[third] - from[third]) / path.swept;
     path.start = path.radius;
-    const double growth = radius(to) - radius(from);
-    // The radii of both ends differ by rounding in the program: both ends and the centre.
-    if (std::abs(growth) <= 4.0 * kLeastSizeMm) return path;
+    if (is_circle) return path;
     const double lead = growth / (swept * kRadiansPerDegree);
     if (std::abs(swept) > kTurnDegrees || std::abs(lead) > 0.2 * path.radius) return std::nullopt;
     path.start = radius(from);
@@ -156,7 +153,6 @@ std::optional<ArcPath> arc_path(const gcode::Arc& arc, const toolpath::Poses& po
     if (X_WP->rows == Pose().rows && X_WP->translation == Vec3{}) return path;
     const Pose turn{X_WP->rows, {}};
     path->centre = *X_WP * path->centre;
-    path->fitted = *X_WP * path->fitted;
     path->about = turn * path->about;
     path->ahead = turn * path->ahead;
     if (path->spiral) {
@@ -181,9 +177,9 @@ std::vector<SplinePath> spline_paths(const gcode::Spline& spline, const toolpath
         path.box.add(path.to);
         if (piece.radius > 0.0) {
             ArcPath arc;
-            arc.centre = arc.fitted = *X_WP * piece.centre;
+            arc.centre = *X_WP * piece.centre;
             arc.about = turn * Vec3{0.0, 0.0, 1.0};
-            arc.radius = arc.fitted_radius = arc.start = piece.radius;
+            arc.radius = arc.start = piece.radius;
             arc.ahead = normalized(path.from - arc.centre);
             arc.swept = piece.swept_degrees * kRadiansPerDegree;
             const Vec3 side = cross(arc.about, arc.ahead);

@@ -17,11 +17,9 @@ namespace ncsim::brep {
 
 /// Arc, helix or spiral of the tip, with the centre at the level of the start. mm, frame W.
 struct ArcPath {
-    Vec3 centre, about;
+    Vec3 centre, about;  ///< Of an arc or helix, the centre has equal distances from both ends.
     double radius = 0.0;
     bool is_level = true;
-    Vec3 fitted;  ///< Centre at equal distances from both ends.
-    double fitted_radius = 0.0;
     Vec3 ahead;           ///< Unit, from the centre to the start.
     double rise = 0.0;    ///< mm per radian, counter-clockwise.
     double swept = 0.0;   ///< Radians, counter-clockwise.

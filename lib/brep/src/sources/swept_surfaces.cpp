@@ -60,7 +60,7 @@ std::optional<std::array<double, 2>> heights_passed(const ArcPath& path, Vec3 ax
         const auto angle = sin_cos(degrees);
         const Vec3 out = angle.cos * path.ahead + angle.sin * on;
         if (dot(out, side) < -kRounding) return;
-        const double height = path.fitted_radius * dot(out, axis);
+        const double height = path.radius * dot(out, axis);
         if (!heights) heights = {height, height};
         (*heights)[0] = std::min((*heights)[0], height);
         (*heights)[1] = std::max((*heights)[1], height);
@@ -360,15 +360,15 @@ public:
     // each side of the arc's centre, limited to the heights that the arc passes there. Beyond these
     // heights, the dome would continue along walls at the start or the end of the motion.
     void rim_across(const ProfileElement& e, const ArcPath& path, Vec3 axis) {
-        if (e.radius <= kRounding || path.fitted_radius <= kRounding ||
+        if (e.radius <= kRounding || path.radius <= kRounding ||
             std::abs(dot(path.about, axis)) > kRounding)
             return;
-        const Vec3 centre = path.fitted + e.height * axis;
+        const Vec3 centre = path.centre + e.height * axis;
         for (const double sign : {-1.0, 1.0}) {
             const Vec3 side = sign * cross(path.about, axis);
             const auto heights = heights_passed(path, axis, side);
             if (!heights) continue;
-            add(Dome{centre, axis, side, path.fitted_radius, e.radius});
+            add(Dome{centre, axis, side, path.radius, e.radius});
             if (into_->back().ends) continue;
             const auto [low, high] = *heights;
             into_->back().ends = std::array{Plane{centre + (low - kTangencyGapMm) * axis, axis},
@@ -489,7 +489,7 @@ void sweep_arc(Sweeps& sweeps, const ProfileElement& e, bool is_corner, const Ar
         if (is_corner && !path.is_level) sweeps.rim_around(e, round, path.rise);
     } else if (!path.spiral && path.is_level && (is_ball || e.fillet <= 0.0)) {
         sweeps.arc_across(e, path, axis);
-        if (is_across) sweeps.level_across(e, path.fitted, axis, path.fitted_radius);
+        if (is_across) sweeps.level_across(e, path.centre, axis, path.radius);
         if (is_corner) sweeps.rim_across(e, path, axis);
     } else {
         sweeps.envelope(e, round);
