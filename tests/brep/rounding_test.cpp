@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <variant>
@@ -219,14 +220,17 @@ TEST(Recognise, CirclesAreAsWideAsTheirWalls) {
     EXPECT_GT(circles, 8);
 }
 
-Made arc_between_plunges(const std::string& arc, double tolerance) {
+Made groove(const std::string& moves, double tolerance) {
     return test::make_part(setup::job_of({"arc.nc",
                                           "(T1 D=3. CR=0. - flat end mill)\n"
                                           "(STOCK/BLOCK,60.,60.,12.,30.,30.,12.)\n"
-                                          "G21 G90 G17 F300 S5000 M3\nT1 M6\n"
-                                          "G0 X20 Y0 Z5\nG1 Z-3\nG0 Z-2\n" +
-                                              arc + "\nG1 Z-3\nG0 Z5\nM30\n"}),
+                                          "G21 G90 G17 F300 S5000 M3\nT1 M6\n" +
+                                              moves + "G0 Z5\nM30\n"}),
                            tolerance);
+}
+
+Made arc_between_plunges(const std::string& arc, double tolerance) {
+    return groove("G0 X20 Y0 Z5\nG1 Z-3\nG0 Z-2\n" + arc + "\nG1 Z-3\n", tolerance);
 }
 
 // Ends and centre are rounded to a micrometre, so the radii of both ends differ by as much. The
@@ -243,6 +247,30 @@ TEST(Recognise, ArcsEndWhereTheToolPlunges) {
             EXPECT_EQ(kinds_of(made.solid.part), (Kinds{9, 4}));
             EXPECT_LE(made.solid.part.miss_mm, 1e-9);
         }
+    }
+}
+
+// Pieces of a circle about one centre, each with ends rounded to a micrometre, are one wall.
+TEST(Recognise, PiecesOfACircleAreOneWall) {
+    for (const int pieces : {2, 3, 4, 6, 24, 36}) {
+        SCOPED_TRACE(pieces);
+        const auto corner = [&](int i) {
+            const double angle = 0.3 + 2.0 * kPi * (i % pieces) / pieces;
+            return std::array{std::round(10620.0 * std::cos(angle)) * 1e-3,
+                              std::round(10620.0 * std::sin(angle)) * 1e-3};
+        };
+        auto [x, y] = corner(0);
+        std::string moves = "G0 X" + std::to_string(x) + " Y" + std::to_string(y) + " Z5\nG1 Z-2\n";
+        for (int i = 1; i <= pieces; ++i) {
+            const std::string centre = " I" + std::to_string(-x) + " J" + std::to_string(-y) + "\n";
+            const auto to = corner(i);
+            x = to[0];
+            y = to[1];
+            moves += "G3 X" + std::to_string(x) + " Y" + std::to_string(y) + centre;
+        }
+        const Made made = groove(moves, 0.02);
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{8, 2}));
     }
 }
 

@@ -64,16 +64,20 @@ Pose pose_of(const gcode::FeatureFrame& frame) {
 }
 
 // Returns the centre of the circle through both ends of an arc, which is level about `about`: the
-// nearest to `centre`, along the chord. No point of the arc moves farther than the end, or than
-// rounding; the centre stays where the ends of more than half a turn nearly coincide.
-Vec3 centre_of_ends(Vec3 centre, Vec3 from, Vec3 to, Vec3 about) {
+// nearest to `centre`, along the chord. The centre stays where it would move too far: the pieces of
+// a level circle have one cylinder only if their centres nearly coincide, and the far side of more
+// than half a turn moves as far as the centre.
+Vec3 centre_of_ends(Vec3 centre, Vec3 from, Vec3 to, Vec3 about, bool is_upright) {
     const Vec3 chord = radial_vector(from, normalized(about), to);
     const double square = dot(chord, chord);
     if (square <= kRounding) return centre;
     const Vec3 fitted = centre - (dot(centre - 0.5 * (from + to), chord) / square) * chord;
+    const double moved = norm(fitted - centre);
+    if (!is_upright) return moved <= 0.5 * kTangencyGapMm ? fitted : centre;
+    // A height error of a micrometre where the path is level is a large error to the side.
     const bool is_up_to_half_a_turn =
         norm(about) <= 1.0 && dot(about, cross(chord, centre - from)) >= 0.0;
-    return is_up_to_half_a_turn || norm(fitted - centre) <= kTangencyGapMm ? fitted : centre;
+    return is_up_to_half_a_turn || moved <= kTangencyGapMm ? fitted : centre;
 }
 
 // Returns the path in the coordinates of the arc.
@@ -95,7 +99,9 @@ std::optional<ArcPath> arc_path(const gcode::Arc& arc) {
     const double growth = radius(to) - radius(from);
     // The radii of both ends differ only because programs round ends and centre.
     const bool is_circle = std::abs(growth) <= 4.0 * kLeastSizeMm;
-    if (is_circle) path.centre = centre_of_ends(path.centre, from, to, arc.turns * path.about);
+    if (is_circle) {
+        path.centre = centre_of_ends(path.centre, from, to, arc.turns * path.about, third != 2);
+    }
     path.radius = 0.5 * (radius(from) + radius(to));
     path.is_level = std::abs(from[third] - to[third]) <= kRounding;
     const auto level = [&](Vec3 p) {
