@@ -10,6 +10,7 @@ ncsim_add_test(gcode
     controls_test.cpp
     corpus_test.cpp
     damaged_programs_test.cpp
+    deleted_lines_test.cpp
     dialect_test.cpp
     expression_test.cpp
     file_programs_test.cpp
