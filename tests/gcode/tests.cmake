@@ -5,6 +5,7 @@ ncsim_add_test(gcode
     codes_test.cpp
     control_codes_test.cpp
     control_table_test.cpp
+    cycle_limits_test.cpp
     cycle_values_test.cpp
     compensation_corners_test.cpp
     controls_test.cpp
