@@ -405,6 +405,25 @@ TEST(PlaneCut, ExactCurvesOfACylinder) {
     EXPECT_FALSE(PlaneCut(Cone{{1, 2, 3}, kUp, 0.5}, {{1, 0, 0}, 1.5}).apex());
 }
 
+TEST(PlaneCut, ThroughAnApexHasOnePlaceForEachRuling) {
+    const Vec3 apex{1, 2, 3};
+    for (const double slope : {0.25, 0.5, 1.0}) {
+        for (const Vec3& normal : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, normalized({3, 4, 0})}) {
+            const PlaneCut cut(Cone{apex, kUp, slope}, {normal, dot(normal, apex)});
+            ASSERT_TRUE(cut.apex());
+            const Vec3 side = cross(kUp, normal);
+            for (const double sign : {1.0, -1.0}) {
+                const double place = cut.place_of(apex + kUp + (sign * slope) * side);
+                const double further = cut.place_of(apex + 7.0 * (kUp + (sign * slope) * side));
+                EXPECT_NEAR(place, further, 1e-9);
+                EXPECT_LT(norm(cut.at(0, place) - apex), 1e-9) << "not a number is not less";
+            }
+            for (const double place : {-180.0, -90.0, 0.0, 45.0, 90.0, 180.0, 270.0})
+                EXPECT_LT(norm(cut.at(0, place) - apex), 1e-9) << place;
+        }
+    }
+}
+
 TEST(CutWalk, FollowsTheCutToAnEnd) {
     // A dome's cut by an oblique plane is no curve with a name; a sphere's is a circle, so the walk
     // can be compared with it.

@@ -337,10 +337,11 @@ TEST(KlartextAreas, Faults) {
     expect_fault("254 SLOT Q215=0 Q219=14 Q368=0 Q369=0 Q375=50 Q367=1 Q376=0 Q248=70",
                  "cycle 254 with the position (Q367) of an end is not read; the program is stopped "
                  "here [klartext-verb]");
-    expect_fault("256 STUD Q218=40 Q424=30 Q219=24 Q425=44 Q220=5 Q370=1",
-                 "cycle 256 needs a blank larger than the stud; the program is stopped here "
-                 "[word-missing]");
-    expect_fault("251 POCKET Q215=0 Q218=20000 Q219=20000 Q220=0 Q370=0.01 Q202=0.01 Q366=0",
+    expect_fault(
+        "256 STUD Q218=40 Q424=30 Q219=24 Q425=44 Q220=5 Q370=1",
+        "cycle 256 needs a blank of at least the size of the stud; the program is stopped here "
+        "[word-missing]");
+    expect_fault("251 POCKET Q215=0 Q218=20000 Q219=20000 Q220=0 Q370=0.1 Q202=0.001 Q366=0",
                  "the number of repeats must be 1 or more, and not without end [cycle-repeats]");
 }
 
@@ -442,9 +443,10 @@ TEST(SinumerikAreas, Faults) {
     EXPECT_EQ(errors("CYCLE61(50,0,2,-5,-30,-20,60,40,3,80,0.2,3000,31,1,1,11010)"),
               "5:1: CYCLE61 with limits (_LIM) is not read; the program is stopped here "
               "[not-read]\n");
-    EXPECT_EQ(errors("CYCLE76(.2362,2.728,.2362,2.5311,,3,,,,)"),
-              "5:1: CYCLE76 needs a retraction plane (RTP) above the reference plane (RFP); the "
-              "program is stopped here [word-missing]\n");
+    EXPECT_EQ(
+        errors("CYCLE76(.2362,2.728,.2362,2.5311,,3,,,,)"),
+        "5:1: CYCLE76 needs a retraction plane (RTP) not below the reference plane (RFP); the "
+        "program is stopped here [word-missing]\n");
     EXPECT_EQ(errors("POCKET3(1)"),
               "5:1: POCKET3 needs RTP, RFP and a depth; the program is stopped here "
               "[word-missing]\n");

@@ -13,8 +13,8 @@
 namespace ncsim::gcode {
 namespace {
 
-FilePrograms read(const std::string& text, bool block_delete = false) {
-    return {SourceFile{"a.nc", text}, block_delete};
+FilePrograms read(const std::string& text) {
+    return FilePrograms(SourceFile{"a.nc", text});
 }
 
 std::vector<std::string> labels(const std::string& text) {
@@ -50,9 +50,9 @@ TEST(FilePrograms, EndInM30AndAreCalledByNone) {
     EXPECT_EQ(labels("o100 sub\nG0 X1\no100 endsub\no100 call\nM2\n"), one);
 }
 
-std::vector<std::string> unreached(const std::string& text, bool block_delete = false) {
+std::vector<std::string> unreached(const std::string& text) {
     std::vector<std::string> parts;
-    const FilePrograms file = read(text, block_delete);
+    const FilePrograms file = read(text);
     for (const Unreached& part : file.unreached())
         parts.push_back(part.label + std::to_string(part.span.line));
     return parts;
@@ -72,7 +72,6 @@ TEST(FilePrograms, NameMovesBehindAnEnd) {
           "O1\nM98 P#1\nM30\nO2\nX1\nM99\n", "O1\nM30\nO2\n#1=5\nM99\n",
           "IF [#1 EQ 1] THEN M30\nG0 X1\nM30\n"})
         EXPECT_TRUE(unreached(good).empty()) << good;
-    EXPECT_TRUE(unreached("G0 X1\n/M30\nG0 X2\nM30\n", true).empty());
     EXPECT_EQ(unreached("G0 X1\n/M30\nG0 X2\nM30\n"), Labels{"3"});
 }
 

@@ -409,6 +409,9 @@ const std::vector<Case>& cases() {
                      "Q12=9~CYCL CALL",
          "6:1: warning: Q8 of cycle 20 rounds the path at inner corners, which is not simulated; "
          "the corners are as round as the tool [inner-radius]"},
+        {By::Klartext, kKlartext + "CYCL DEF 200 A Q200=1 Q201=-1 Q395=1",
+         "3:1: warning: ncsim does not apply Q395 of cycle 200; the path is that without it "
+         "[cycle-parameter-left-out]"},
         {By::Klartext, kKlartext + "TCH PROBE 480 CALIBRATE TT",
          "3:1: warning: TCH PROBE 480 measures the tool; its moves and its result are left out "
          "[tool-probe]"},

@@ -308,7 +308,8 @@ TEST(KlartextPaths, PolygonStud) {
     }
     EXPECT_NEAR(nearest, 20.0 + kRadius, 1e-6);  // A corner.
     EXPECT_EQ(milled("258 STUD Q571=40 Q222=45 Q572=6 Q220=0" + depths).errors(),
-              "5:1: cycle 258 needs a blank (Q222) larger than the stud; the program is stopped "
+              "5:1: cycle 258 needs a blank (Q222) of at least the size of the stud; the program "
+              "is stopped "
               "here [word-missing]\n");
     EXPECT_EQ(milled("258 STUD Q571=40 Q222=60 Q572=2 Q220=0" + depths).errors(),
               "5:1: cycle 258 needs a number of corners (Q572) from 3 to 1000; the program is "

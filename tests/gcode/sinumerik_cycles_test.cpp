@@ -63,9 +63,10 @@ TEST(SinumerikCycles, FaultsOfHoles) {
     expect_refused("CYCLE81(5,0,2,3)",
                    "5:1: the depth of CYCLE81 is above the reference plane; the program is stopped "
                    "here [depth-positive]");
-    expect_refused("CYCLE81(-5,0,2,-3)",
-                   "5:1: CYCLE81 needs a retraction plane (RTP) above the reference plane (RFP); "
-                   "the program is stopped here [word-missing]");
+    expect_refused(
+        "CYCLE81(-5,0,2,-3)",
+        "5:1: CYCLE81 needs a retraction plane (RTP) not below the reference plane (RFP); "
+        "the program is stopped here [word-missing]");
     expect_refused(
         "G41\nCYCLE81(5,0,2,-3)",
         "6:1: CYCLE81 under G41 or G42 is not read; the program is stopped here [not-read]");

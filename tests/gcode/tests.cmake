@@ -5,11 +5,13 @@ ncsim_add_test(gcode
     codes_test.cpp
     control_codes_test.cpp
     control_table_test.cpp
+    cycle_limits_test.cpp
     cycle_values_test.cpp
     compensation_corners_test.cpp
     controls_test.cpp
     corpus_test.cpp
     damaged_programs_test.cpp
+    deleted_lines_test.cpp
     dialect_test.cpp
     expression_test.cpp
     file_programs_test.cpp

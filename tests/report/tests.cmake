@@ -11,6 +11,7 @@ ncsim_add_test(report
     operations_test.cpp
     page_arrays_test.cpp
     page_index_test.cpp
+    page_test.cpp
     program_diff_test.cpp
     review_page_test.cpp
     scope_test.cpp

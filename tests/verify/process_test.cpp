@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
 #include <string>
 
 namespace ncsim::verify_test {
@@ -178,6 +180,45 @@ TEST(AirCut, TellsTheShareAndTheLines) {
     const auto busy = verdict_of(kStart + "G0 Z-2\nG1 X30\n", setup);
     EXPECT_TRUE(findings_of(busy, "air-cut").empty());
     EXPECT_NE(skipped_because(verdict_of(kStart, not_simulated()), "air-cut"), "");
+}
+
+/// Without the other rules a guessed stock is a doubt about air cuts, too, if they are looked for.
+TEST(AirCut, OnAGuessedStockIsNotProven) {
+    const auto reasons = [](const verify::Setup& setup) {
+        std::set<std::string> all;
+        for (const verify::Doubt& doubt :
+             verdict_of(kStart + "G1 Z-2\nG1 X30\nG1 Y20\n", setup).doubts)
+            all.insert(std::string(doubt.reason));
+        return all;
+    };
+    verify::Setup setup = plain_setup();
+    for (const verify::RuleInfo& rule : verify::rules()) {
+        if (rule.id != "air-cut") setup.selection.ignored[std::string(rule.id)] = "--select";
+    }
+    setup.stock_assumption = "derived";
+    EXPECT_FALSE(reasons(setup).contains("stock-guess")) << "no air cuts are looked for";
+    setup.air_cuts = true;
+    EXPECT_TRUE(reasons(setup).contains("stock-guess"));
+    setup.stock_assumption.clear();
+    EXPECT_FALSE(reasons(setup).contains("stock-guess"));
+}
+
+/// As an error, the finding is a doubt of its own.
+TEST(AirCut, AsAnErrorRestsOnTheStock) {
+    verify::Setup setup = plain_setup();
+    setup.air_cuts = true;
+    setup.stock_assumption = "derived";
+    const auto errors_in_doubt = [&] {
+        const auto verdict = verdict_of(kStart + "G1 Z-2\nG1 X30\nG1 Y20\n", setup);
+        return std::ranges::count_if(verdict.doubts, [](const verify::Doubt& doubt) {
+            return doubt.message.starts_with("an error rests on it: 2 of 3 feed moves");
+        });
+    };
+    EXPECT_EQ(errors_in_doubt(), 0) << "a note";
+    setup.selection.severities["air-cut"] = {Severity::Error, "--severity"};
+    EXPECT_EQ(errors_in_doubt(), 1);
+    setup.stock_assumption.clear();
+    EXPECT_EQ(errors_in_doubt(), 0);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include "ncsim/simulation/survey.h"
 
 #include "ncsim/cda/cell.h"
+#include "ncsim/gcode/dialect.h"
+#include "ncsim/gcode/executed_text.h"
 #include "ncsim/setup/tool_clues.h"
 #include "ncsim/toolpath/kinematics.h"
 #include "ncsim/toolpath/sampler.h"
@@ -625,9 +627,11 @@ BlockEstimate estimate_block(const Plan& plan, const std::array<bool, 3>& unspec
 Survey survey(Plan& plan) {
     plan.motions = nullptr;
     auto& of_file = plan.job.interpreter.of_file;
-    if (!of_file)
+    if (!of_file) {
+        const gcode::ExecutedText executed(plan.job.program, plan.job.interpreter);
         of_file =
-            std::make_shared<const gcode::DialectFindings>(gcode::detect_dialect(plan.job.program));
+            std::make_shared<const gcode::DialectFindings>(gcode::detect_dialect(executed.file()));
+    }
     place_kinematics(plan);
     BlockEstimate look = estimate_block(plan, {});
     const Survey& first = look.survey;

@@ -81,25 +81,25 @@ void FindingLog::doubt(std::string_view reason, std::string message, const Place
     doubts_.push_back(std::move(doubt));
 }
 
-void FindingLog::settle(Finding& f, bool weakened) const {
+bool FindingLog::settle(Finding& f, bool weakened) const {
     const RuleInfo& rule = *find_rule(f.rule);
     f.category = rule.category;
     if (f.hint.empty()) f.hint = rule.fix;
+    const bool was_error = f.severity == Severity::Error;
     const auto& severities = setup_->selection.severities;
     if (const auto weight = severities.find(f.rule); weight != severities.end()) {
-        const Severity before = f.severity;
         f.severity = weight->second.severity;
-        f.demoted = before == Severity::Error && f.severity != Severity::Error;
-    } else if (weakened && f.severity == Severity::Error) {
-        f.severity = Severity::Warning;
+        f.demoted = was_error && f.severity != Severity::Error;
     }
+    const bool is_error = was_error || f.severity == Severity::Error;
+    if (weakened && f.severity == Severity::Error) f.severity = Severity::Warning;
     f.suppressed = f.place.file == 0 && setup_->suppressions.covers(f.place.span.line, f.rule);
+    return is_error;
 }
 
 void FindingLog::settle(Finding& f, std::vector<std::string_view>& rests_on) {
     std::erase_if(rests_on, [&](std::string_view r) { return setup_->accepted.contains(r); });
-    const bool is_error = f.severity == Severity::Error;
-    settle(f, !rests_on.empty());
+    const bool is_error = settle(f, !rests_on.empty());
     if (!is_error || f.suppressed) return;
     for (const std::string_view reason : rests_on)
         doubt(reason, "an error rests on it: " + f.message, f.place);

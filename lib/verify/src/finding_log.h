@@ -59,7 +59,9 @@ public:
     void finish(Verdict& verdict);
 
 private:
-    void settle(Finding& finding, bool weakened) const;
+    /// Sets category, severity, hint and suppression. `weakened`: an error becomes a warning.
+    /// Returns: true if the finding is an error by its rule or by the user's severity.
+    bool settle(Finding& finding, bool weakened) const;
     /// Settles `finding` without the reasons that the user accepted, and logs the remaining reasons
     /// as doubts.
     void settle(Finding& finding, std::vector<std::string_view>& rests_on);

@@ -272,7 +272,7 @@ constexpr std::array kRules = {
          needs_design},
     Rule{{"air-cut", Category::Process, Severity::Note, "Feed moves that remove nothing.",
           "Feed moves that remove nothing cost time.", "Make them rapid moves, or drop them."},
-         false,
+         true,
          needs_air_cuts},
 
     Rule{{"tool-undefined", Category::SetUp, Severity::Warning, "Tools without a description.",

@@ -220,6 +220,8 @@ Vec3 PlaneCut::at(std::size_t branch, double place) const {
     if (kind_ == Kind::Straight) return branches_[branch].centre + place * branches_[branch].x;
     const auto angle = sin_cos(place);
     if (kind_ == Kind::Conic) {
+        // The rulings of a cut through the apex have one place each.
+        if (offset_ == 0.0) return origin_;
         const Vec3 ruling = axis_ + slope_ * (angle.cos * x_ + angle.sin * y_);
         return origin_ + (offset_ / dot(plane_.normal, ruling)) * ruling;
     }

@@ -38,6 +38,8 @@ public:
     /// Returns the branch that contains `p`, a point of the cut.
     std::size_t branch_of(Vec3 p) const;
     double place_of(Vec3 p) const;
+    /// Returns the point at `place`; the apex if the plane goes through the apex of a cone, because
+    /// all points of a ruling have the same place.
     Vec3 at(std::size_t branch, double place) const;
     /// True if the place grows from `p` in direction `d`.
     bool grows(Vec3 p, Vec3 d) const;

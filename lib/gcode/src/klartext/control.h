@@ -88,7 +88,6 @@ private:
         int direction = 0;  ///< 1: counter-clockwise, -1: clockwise, 0: not specified.
         std::vector<int> m;
         bool has(int code) const;
-        bool has_linear() const { return axis[kX] || axis[kY] || axis[kZ]; }
         bool has_axes() const;
     };
     enum class Value : std::uint8_t { Number, Rapid, Automatic };
@@ -150,6 +149,7 @@ private:
     bool numbered_cycle(const Block& block, Scanner& scan, int number);
     bool old_cycle(const Block& block, Scanner& scan, int number, int part);
     bool read_cycle_values(const Block& block, Scanner& scan, Cycle& cycle);
+    void report_left_out(const Cycle& cycle, SourceSpan span);
     bool preset(const Block& block, double number);
     bool datum_shift(const Block& block, Scanner& scan);
     bool mirror(const Block& block, Scanner& scan);

@@ -5,6 +5,7 @@
 #include "ncsim/base/angles.h"
 
 #include "klartext/control.h"
+#include "klartext/cycle_parameters.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -130,6 +131,16 @@ bool Control::read_cycle_values(const Block& block, Scanner& scan, Cycle& cycle)
     return true;
 }
 
+/// Reports the first parameter of `cycle` that acts on the control and not here.
+void Control::report_left_out(const Cycle& cycle, SourceSpan span) {
+    for (const auto& [q, value] : cycle.values) {
+        if (!leaves_out(cycle.number, q, value.number)) continue;
+        log_.add(Message::KlartextParameterLeftOut, span,
+                 {"Q" + std::to_string(q), std::to_string(cycle.number)});
+        return;
+    }
+}
+
 bool Control::numbered_cycle(const Block& block, Scanner& scan, int number) {
     if (has_no_path(number)) return true;
     const bool is_pattern = number == 220 || number == 221;
@@ -141,6 +152,7 @@ bool Control::numbered_cycle(const Block& block, Scanner& scan, int number) {
     Cycle cycle;
     cycle.number = number;
     if (!read_cycle_values(block, scan, cycle)) return false;
+    report_left_out(cycle, block.whole());
     if (number == 247) {
         const auto found = cycle.values.find(339);
         if (found == cycle.values.end())
@@ -363,8 +375,9 @@ bool Control::pattern(const Cycle& pattern, SourceSpan span) {
         const auto found = pattern.values.find(index);
         return found == pattern.values.end() ? otherwise : found->second.number;
     };
-    const double count = pattern.number == 220 ? q(241, 0.0) : q(242, 0.0) * q(243, 0.0);
-    if (!(count >= 1.0 && count <= kMostPlaces))
+    const double columns = std::round(q(pattern.number == 220 ? 241 : 242, 0.0));
+    const double rows = pattern.number == 220 ? 1.0 : std::round(q(243, 0.0));
+    if (!(columns >= 1.0 && rows >= 1.0 && columns * rows <= kMostPlaces))
         return fail(Message::BlockNeeds, span,
                     {"cycle " + name, "a number of places from 1 to 10000"});
     if (q(365, 0.0) != 0.0)
@@ -550,6 +563,7 @@ bool Control::peck(SourceSpan span, double surface, double bottom, double clear)
     pecks.decrement = decrement;
     pecks.least = least;
     pecks.ahead = ahead;
+    if (number == 205 && value(259)) pecks.last_ahead = std::abs(*value(259));
     pecks.breaking = breaking;
     pecks.breaks = breaks;
     pecks.break_depth = broken_depth;

@@ -68,7 +68,7 @@ bool Runner::step() {
     ++result_.lines;
     if (!count_block(!frames_.empty(), block_.whole())) return false;
     if (block_.verb == Verb::Empty) return true;
-    if (block_.block_delete && skips_deletable(current_, block_.whole())) return true;
+    if (block_.block_delete) note_deletable(current_, block_.whole());
     const bool is_readable = block_.verb != Verb::Unreadable || log_.errors() == faults;
     if (!is_readable || !act()) return stop();
     if (control_.has_ended()) end();

@@ -15,8 +15,9 @@ namespace ncsim::gcode::klartext {
 namespace {
 
 constexpr double kMostRepeats = 10'000.0;
-/// Largest path overlap (Q370): the distance of passes in radii of the tool.
-constexpr double kMostOverlap = 2.0;
+/// Range of the path overlap (Q370): the distance of passes in radii of the tool.
+constexpr double kLeastOverlap = 0.1;
+constexpr double kMostOverlap = 1.9999;
 
 }  // namespace
 
@@ -41,7 +42,7 @@ bool Control::read_milling(SourceSpan span, double bottom, double clear, languag
     if (m.side_allowance < 0.0 || m.floor_allowance < 0.0)
         return fail(Message::NegativeValue, span, {"the allowance"});
     const double overlap = value(370, 1.0);
-    if (!(overlap > 0.0 && overlap < kMostOverlap))
+    if (!(overlap >= kLeastOverlap && overlap <= kMostOverlap))
         return fail(Message::BlockNeeds, span, {name, "a path overlap (Q370) from 0.1 to 1.9999"});
     m.step = overlap * m.tool_radius;
     m.feed = feed_of(feed_value(207).value_or(0.0));
@@ -124,8 +125,9 @@ bool Control::read_blank(SourceSpan span, language::Milling& m) {
     const double length = is_round ? value(222, 0.0) : value(424, 0.0);
     const double width = is_round ? length : value(425, 0.0);
     if (length < m.area.length || width < m.area.width)
-        return fail(Message::BlockNeeds, span,
-                    {"cycle " + std::to_string(cycle_.number), "a blank larger than the stud"});
+        return fail(
+            Message::BlockNeeds, span,
+            {"cycle " + std::to_string(cycle_.number), "a blank of at least the size of the stud"});
     if (!is_round && value(437, 0.0) != 0.0)
         return fail(Message::KlartextVerb, span, {"cycle 256 with an approach at a corner (Q437)"});
     m.blank_length = length;
@@ -160,7 +162,8 @@ bool Control::mill_polygon(SourceSpan span, language::Milling& m) {
     area.angle = value(224, 0.0);
     const double blank = value(222, 0.0);
     if (!(area.length > 0.0 && blank >= 2.0 * area.reach()))
-        return fail(Message::BlockNeeds, span, {name, "a blank (Q222) larger than the stud"});
+        return fail(Message::BlockNeeds, span,
+                    {name, "a blank (Q222) of at least the size of the stud"});
     m.blank = (blank - area.length) / 2.0;
     m.blank_length = blank;
     const Point start = in_plane();

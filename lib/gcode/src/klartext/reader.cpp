@@ -488,22 +488,23 @@ void Reader::continue_block(Block& block, bool is_in_comment) {
     }
 }
 
-/// Adds parameters of a cycle in lines of their own without '~'.
+/// Adds parameters of a cycle in lines of their own without '~'. Blank lines may be between them.
 void Reader::take_parameters(Block& block) {
     constexpr std::size_t kMostLines = 200;
+    Place behind = place_;
     for (std::size_t i = 0; i < kMostLines && place_.offset < file_->text.size(); ++i) {
-        const Place before = place_;
-        const SplitLine line = split(take_line());
-        if (!is_cycle_parameter(line.code)) {
-            place_ = before;
-            return;
-        }
+        const std::string_view text = take_line();
+        if (trimmed_end(text).empty()) continue;
+        const SplitLine line = split(text);
+        if (!is_cycle_parameter(line.code)) break;
+        behind = place_;
         block.joined += ' ';
         block.parts.push_back(
             {block.joined.size(), place_.line, static_cast<std::uint32_t>(line.code_at + 1)});
         block.joined += line.code;
         add_comment(block, line, place_.line);
     }
+    place_ = behind;
 }
 
 bool Reader::take_block(Block& block) {

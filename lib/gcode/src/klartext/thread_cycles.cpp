@@ -34,7 +34,9 @@ bool Control::read_thread(SourceSpan span, double surface, language::ThreadMilli
     m.radius = value(335, 0.0) / 2.0 + (m.is_internal ? -tool_radius : tool_radius);
     m.pitch = std::abs(pitch);
     m.entry = m.radius + m.pitch;
-    if (!(m.radius > 0.0 && value(335, 0.0) > 0.0))
+    if (!(value(335, 0.0) > 0.0))
+        return fail(Message::BlockNeeds, span, {name, "a diameter (Q335) above 0"});
+    if (!(m.radius > 0.0))
         return fail(Message::BlockNeeds, span, {name, "a diameter larger than the tool"});
     if (pitch == 0.0) return fail(Message::BlockNeeds, span, {name, "a pitch (Q239)"});
     m.turns_per_step = number == 262 || number == 267 ? std::round(value(355, 0.0)) : 0.0;

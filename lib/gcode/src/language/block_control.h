@@ -44,9 +44,11 @@ struct Pecks {
     double clear = 0.0;  ///< Height of the clearance above the surface.
     double from = 0.0;   ///< Height at which the first infeed begins; usually the surface.
     double infeed = 0.0;
-    double decrement = 0.0;    ///< Amount by which each infeed is smaller than the last infeed.
-    double least = 0.0;        ///< Smallest infeed; 0: the decrement.
-    double ahead = 0.0;        ///< Distance above the last depth up to which the tool is rapid.
+    double decrement = 0.0;  ///< Amount by which each infeed is smaller than the last infeed.
+    double least = 0.0;      ///< Smallest infeed; 0: the decrement.
+    double ahead = 0.0;      ///< Distance above the last depth up to which the tool is rapid.
+    /// Same distance before the last infeed; between, it changes in equal steps. Empty: `ahead`.
+    std::optional<double> last_ahead;
     double breaking = 0.0;     ///< Retraction for chip breaking.
     double breaks = 0.0;       ///< Number of breaks before a full retraction.
     double break_depth = 0.0;  ///< Depth between breaks within an infeed; 0: none.

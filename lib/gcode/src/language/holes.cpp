@@ -36,6 +36,31 @@ bool BlockControl::dwell(double seconds) {
     return run(command);
 }
 
+namespace {
+
+/// Returns the infeed after `step`.
+double next_infeed(const Pecks& pecks, double step) {
+    if (pecks.decrement <= 0.0) return step;
+    const double least = pecks.least > 0.0 ? pecks.least : pecks.decrement;
+    return std::max(step - pecks.decrement, least);
+}
+
+/// Returns the change of `Pecks::ahead` from one infeed to the next one.
+double step_of_ahead(const Pecks& pecks) {
+    if (!pecks.last_ahead) return 0.0;
+    double returns = 0.0;  // Ways back to the last depth.
+    double step = pecks.infeed;
+    for (double depth = pecks.from - step;
+         step > 0.0 && depth > pecks.bottom + kPeckRounding && returns < kMostPecks;
+         depth -= step) {
+        ++returns;
+        step = next_infeed(pecks, step);
+    }
+    return returns > 1.0 ? (*pecks.last_ahead - pecks.ahead) / (returns - 1.0) : 0.0;
+}
+
+}  // namespace
+
 /// Drills in infeeds, with retraction or chip breaking. The tool is at `pecks.clear` before and
 /// after. `too_many`: the message if the infeeds are too small.
 bool BlockControl::peck(const Pecks& pecks, const MessageText& too_many) {
@@ -49,6 +74,8 @@ bool BlockControl::peck(const Pecks& pecks, const MessageText& too_many) {
         pecks.decrement > 0.0 ? (pecks.least > 0.0 ? pecks.least : pecks.decrement) : pecks.infeed;
     if (!in_one && total / smallest > kMostPecks) return fail(too_many, span);
     double step = in_one ? total : pecks.infeed;
+    double ahead = pecks.ahead;
+    const double ahead_step = step_of_ahead(pecks);
     double depth = pecks.from;
     double breaks_left = pecks.breaks;
     double feed = pecks.first_feed.value_or(pecks.feed);
@@ -80,15 +107,13 @@ bool BlockControl::peck(const Pecks& pecks, const MessageText& too_many) {
         } else {
             breaks_left = pecks.breaks;
             if (!move_to(pecks.clear, pecks.up) || !dwell(pecks.dwell_above) ||
-                !move_to(std::min(target + pecks.ahead, pecks.clear), std::nullopt))
+                !move_to(std::min(target + ahead, pecks.clear), std::nullopt))
                 return false;
+            ahead += ahead_step;
         }
         depth = target;
         if (is_last_but_one) break;
-        if (pecks.decrement > 0.0) {
-            const double least = pecks.least > 0.0 ? pecks.least : pecks.decrement;
-            step = std::max(step - pecks.decrement, least);
-        }
+        step = next_infeed(pecks, step);
     }
     return break_chips(pecks.bottom) && move_to(pecks.bottom, feed) && dwell(pecks.dwell_below) &&
            move_to(pecks.clear, pecks.up);

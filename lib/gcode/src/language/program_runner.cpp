@@ -85,9 +85,8 @@ void ProgramRunner::report_missing_program(std::string_view name, SourceSpan spa
         log_.add(Message::ProgramMissing, span, {name, name});
 }
 
-bool ProgramRunner::skips_deletable(std::size_t file, SourceSpan span) {
+void ProgramRunner::note_deletable(std::size_t file, SourceSpan span) {
     if (!result_.deletable) result_.deletable = {static_cast<std::uint32_t>(file), span};
-    return options_.block_delete;
 }
 
 }  // namespace ncsim::gcode::language

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Common part of the runners of all languages: the control, the limits of repeated blocks, further
-// files, block delete, the end of the program.
+// files, the end of the program.
 #pragma once
 
 #include "ncsim/gcode/interpretation.h"
@@ -59,8 +59,8 @@ protected:
     /// Reports a call of the program `name`, which is not found and left out, unless the program is
     /// declared harmless.
     void report_missing_program(std::string_view name, SourceSpan span);
-    /// True if block delete skips a block with '/'.
-    bool skips_deletable(std::size_t file, SourceSpan span);
+    /// Records the first executed block that begins with '/'.
+    void note_deletable(std::size_t file, SourceSpan span);
 
     const InterpreterOptions& options_;
     DiagnosticLog& log_;

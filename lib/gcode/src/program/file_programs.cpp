@@ -145,8 +145,8 @@ struct NamedTargets {
 /// Reads the blocks of a file into sections.
 class FileReaderPass {
 public:
-    FileReaderPass(FilePrograms& programs, const SourceFile& file, bool block_delete)
-        : programs_(programs), file_(file), block_delete_(block_delete) {
+    FileReaderPass(FilePrograms& programs, const SourceFile& file)
+        : programs_(programs), file_(file) {
         BlockReader reader(file);
         Block block;
         while (reader.next(block)) {
@@ -185,7 +185,6 @@ private:
     void take(const Block& block, std::size_t begin) {
         if (block.kind == BlockKind::Percent) return percent(block);
         if (block.kind != BlockKind::Words) return;
-        if (block.block_delete && block_delete_) return;
         const ControlWord control = block.control.word;
         if (control == ControlWord::Sub) ++subs_;
         if (control == ControlWord::EndSub && subs_ > 0) --subs_;
@@ -247,7 +246,6 @@ private:
 
     FilePrograms& programs_;
     const SourceFile& file_;
-    bool block_delete_;
     NamedTargets targets_;
     std::size_t subs_ = 0;
     bool is_reached_ = true;
@@ -257,9 +255,9 @@ private:
     std::uint32_t end_line_ = 0;
 };
 
-FilePrograms::FilePrograms(const SourceFile& file, bool block_delete) {
+FilePrograms::FilePrograms(const SourceFile& file) {
     if (may_hold_more(file.text)) {
-        FileReaderPass pass(*this, file, block_delete);
+        FileReaderPass pass(*this, file);
         divide(pass.run());
     }
     if (programs_.empty()) programs_.push_back({"program 1", {}});

@@ -3,11 +3,16 @@
 // Chooses the dialect of a program, refuses unreadable programs, and runs the program.
 #include "ncsim/gcode/interpreter.h"
 
+#include "ncsim/gcode/executed_text.h"
+
 #include "control/control_rules.h"
 #include "klartext/klartext_runner.h"
 #include "program/runner.h"
 #include "sinumerik/sinumerik_runner.h"
 #include "text/message.h"
+
+#include <optional>
+#include <string_view>
 
 namespace ncsim::gcode {
 namespace {
@@ -114,10 +119,9 @@ bool has_absolute_centres(const SourceFile& program, InterpreterOptions options,
     return counted.absolute > counted.incremental;
 }
 
-}  // namespace
-
-Interpretation interpret(const SourceFile& program, const InterpreterOptions& given,
-                         const MotionSink& sink) {
+/// Executes `program`, a text without deleted blocks.
+Interpretation execute(const SourceFile& program, const InterpreterOptions& given,
+                       const MotionSink& sink) {
     Interpretation result;
     DiagnosticLog log;
     result.files.push_back(program.name);
@@ -170,6 +174,23 @@ Interpretation interpret(const SourceFile& program, const InterpreterOptions& gi
     runner.run();
     result.diagnostics = log.take();
     return result;
+}
+
+}  // namespace
+
+Interpretation interpret(const SourceFile& program, const InterpreterOptions& options,
+                         const MotionSink& sink) {
+    if (!options.block_delete) return execute(program, options, sink);
+    const ExecutedText text(program, options);
+    InterpreterOptions own = options;
+    if (options.read_file) {
+        own.read_file = [&](std::string_view name) {
+            std::optional<SourceFile> file = options.read_file(name);
+            if (file) remove_deleted_blocks(*file, text.language(), options.strict);
+            return file;
+        };
+    }
+    return execute(text.file(), own, sink);
 }
 
 }  // namespace ncsim::gcode

@@ -61,7 +61,8 @@ bool Runner::step() {
     if (!frames_.empty() || repeated_ > 0) file().reader.keep_lines();
     if (!count_block(!frames_.empty(), block_.line_span())) return false;
     constexpr std::size_t kLongestStrict = 252;  // Limit of LinuxCNC.
-    if (rules_.strict && block_.text.size() > kLongestStrict) {
+    const bool is_long = rules_.strict && block_.text.size() > kLongestStrict;
+    if (is_long && block_.text.find_first_not_of(' ') != std::string_view::npos) {
         fault(Message::LineTooLong, {block_.line, 1, 1});
         ended_ = true;
         return false;
@@ -74,8 +75,7 @@ bool Runner::step() {
     if (block_.block_delete) {
         const bool does_something = block_.control.word != ControlWord::None ||
                                     !block_.words.empty() || !block_.assignments.empty();
-        if (does_something ? skips_deletable(current_, block_.line_span()) : options_.block_delete)
-            return true;
+        if (does_something) note_deletable(current_, block_.line_span());
     }
     if (block_.control.word != ControlWord::None) {
         something_read_ = true;

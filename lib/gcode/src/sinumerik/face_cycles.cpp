@@ -26,7 +26,7 @@ bool Control::read_face_heights(const CycleCall& call, double depth, language::F
     m.bottom = depth;
     if (retract < m.surface)
         return fail(Message::BlockNeeds, call.span,
-                    {call.name, "a retraction plane (RTP) above the surface"});
+                    {call.name, "a retraction plane (RTP) not below the surface"});
     return true;
 }
 

@@ -28,7 +28,6 @@ struct Frame {
     bool operator==(const Frame&) const = default;
 
     bool is_identity() const { return *this == Frame{}; }
-    bool is_scaled() const { return scale != std::array<double, 3>{1.0, 1.0, 1.0}; }
 
     void translate(const Triple& distance) {
         const Triple scaled{scale[0] * distance[0], scale[1] * distance[1], scale[2] * distance[2]};

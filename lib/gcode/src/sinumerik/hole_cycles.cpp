@@ -51,6 +51,14 @@ bool Control::refuses(const CycleCall& call, std::size_t index, std::string_view
     return true;
 }
 
+/// Refuses a tool axis (_AXN) other than the third axis of the plane.
+bool Control::refuses_axis(const CycleCall& call, std::size_t index) {
+    const double axis = argument(call, index, 0.0);
+    if (axis != 1.0 && axis != 2.0) return false;
+    fail(Message::NotRead, call.span, {call.name + " along another axis (_AXN)"});
+    return true;
+}
+
 /// Returns seconds; a negative value counts turns of the spindle.
 double Control::dwell_time(double value) const {
     if (value >= 0.0) return value;
@@ -77,7 +85,7 @@ bool Control::read_hole(const CycleCall& call, Hole& hole) {
     hole.feed = machine_.state().feed;
     if (hole.retract < hole.surface)
         return fail(Message::BlockNeeds, call.span,
-                    {call.name, "a retraction plane (RTP) above the reference plane (RFP)"});
+                    {call.name, "a retraction plane (RTP) not below the reference plane (RFP)"});
     if (hole.bottom > hole.surface) return fail(Message::HoleUpwards, call.span, {call.name});
     return true;
 }
@@ -120,7 +128,7 @@ bool Control::cycle(const CycleCall& call) {
 
 /// CYCLE83: infeeds with retraction (VARI 1) or chip breaking (VARI 0).
 bool Control::deep_hole(const CycleCall& call, const Hole& hole) {
-    if (refuses(call, 17, "_GMODE")) return false;
+    if (refuses(call, 17, "_GMODE") || refuses_axis(call, 12)) return false;
     // Digits of _AMODE from the right; the sixth chooses amount or percentage for DAM.
     const auto amode = static_cast<long>(std::clamp(argument(call, 19, 0.0), 0.0, 1e9));
     const bool by_percentage = amode / 100'000 % 10 == 2;
@@ -164,8 +172,10 @@ bool Control::deep_hole(const CycleCall& call, const Hole& hole) {
         pecks.breaking = retraction > 0.0 ? retraction : 1.0 / unit;
         pecks.breaks = kMostHoles * 100.0;
     }
-    pecks.dwell_below = dwell_time(argument(call, 8, 0.0));
-    pecks.dwell_between = clears_chips ? 0.0 : pecks.dwell_below;
+    const double each = argument(call, 8, 0.0);
+    const double last = argument(call, 15, 0.0);
+    pecks.dwell_below = dwell_time(last != 0.0 ? last : each);
+    pecks.dwell_between = clears_chips ? 0.0 : dwell_time(each);
     pecks.dwell_above = dwell_time(argument(call, 9, 0.0));
     return peck(pecks, Message::CycleRepeats);
 }
@@ -203,6 +213,7 @@ std::optional<double> Control::pitch(const CycleCall& call, std::size_t metric, 
 /// CYCLE84: rigid tapping. CYCLE840: tapping with a compensating chuck.
 bool Control::tap_hole(const CycleCall& call, const Hole& hole) {
     const bool is_rigid = call.name == "CYCLE84";
+    if (refuses_axis(call, is_rigid ? 12 : 11)) return false;
     const std::optional<double> found = is_rigid ? pitch(call, 7, 8, 13) : pitch(call, 9, 10, {});
     if (!found) return false;
     MachineState& state = machine_.state();
@@ -255,8 +266,16 @@ bool Control::tap_hole(const CycleCall& call, const Hole& hole) {
     return done;
 }
 
+/// Starts the spindle in the direction SDIR of a boring cycle: 3 or 4, as M3 and M4.
+void Control::start_spindle(double direction) {
+    using enum SpindleTurning;
+    if (direction == 3.0) machine_.state().spindle = Clockwise;
+    if (direction == 4.0) machine_.state().spindle = Counterclockwise;
+}
+
 /// CYCLE86: the spindle is oriented at the bottom, and the tool steps away from the wall.
 bool Control::bore_hole(const CycleCall& call, const Hole& hole) {
+    start_spindle(argument(call, 6, 0.0));
     const bool steps_aside = argument(call, 7, 0.0) != 0.0 || argument(call, 8, 0.0) != 0.0;
     return move_to(hole.bottom, hole.feed) && dwell(dwell_time(argument(call, 5, 0.0))) &&
            bore_out(std::max(hole.clear, hole.retract), std::nullopt, steps_aside);
@@ -265,6 +284,7 @@ bool Control::bore_hole(const CycleCall& call, const Hole& hole) {
 /// CYCLE87, CYCLE88: spindle and program stop at the bottom.
 bool Control::stop_spindle_at_bottom(const CycleCall& call, const Hole& hole) {
     const bool dwells = call.name == "CYCLE88";
+    start_spindle(argument(call, dwells ? 6 : 5, 0.0));
     if (!move_to(hole.bottom, hole.feed) || (dwells && !dwell(dwell_time(argument(call, 5, 0.0)))))
         return false;
     const SpindleTurning turning = machine_.state().spindle;

@@ -250,7 +250,7 @@ bool Control::read_spigot_blank(const CycleCall& call, const MillingArguments& a
     const double width = is_rectangle ? at(a.blank_width) : length;
     if (length < m.area.length || width < m.area.width)
         return fail(Message::BlockNeeds, call.span,
-                    {call.name, "a blank (_AP1, _AP2) larger than the spigot"});
+                    {call.name, "a blank (_AP1, _AP2) of at least the size of the spigot"});
     m.blank_length = length;
     log_.add(Message::MillsOutside, call.span, {call.name});
     const double x = (length - m.area.length) / 2.0;
@@ -280,6 +280,8 @@ bool Control::mill_thread_cycle(const CycleCall& call, double radius) {
     m.pitch = std::abs(at(7));
     m.is_clockwise = direction == 2.0;
     m.feed = at(8) > 0.0 ? feed_of(at(8)) : hole.feed;
+    if (!m.is_internal && !(at(6) > 0.0))
+        return fail(Message::BlockNeeds, call.span, {call.name, "a diameter (KDIAM) above 0"});
     if (!(m.radius > 0.0))
         return fail(Message::BlockNeeds, call.span, {call.name, "a diameter larger than the tool"});
     if (!(m.pitch > 0.0)) return fail(Message::BlockNeeds, call.span, {call.name, "a pitch (PIT)"});

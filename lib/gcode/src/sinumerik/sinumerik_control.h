@@ -140,6 +140,8 @@ private:
     };
     bool read_hole(const CycleCall& call, Hole& hole);
     bool refuses(const CycleCall& call, std::size_t index, std::string_view what);
+    bool refuses_axis(const CycleCall& call, std::size_t index);
+    void start_spindle(double direction);
     double dwell_time(double value) const;
     bool deep_hole(const CycleCall& call, const Hole& hole);
     bool tap_hole(const CycleCall& call, const Hole& hole);

@@ -139,7 +139,7 @@ bool Runner::step() {
     ++result_.lines;
     if (!count_block(is_in_subprogram(), line_.whole())) return false;
     if (line_.is_head || line_.code.empty()) return true;
-    if (line_.block_delete && skips_deletable(program().file, line_.whole())) return true;
+    if (line_.block_delete) note_deletable(program().file, line_.whole());
     if (!act()) return stop();
     return !ended_;
 }

@@ -94,8 +94,12 @@ void LineParser::read_general(std::string& clean) {
     block_.words.clear();
     block_.comments.clear();
     block_.has_number = false;
-    if (!make_clean_copy(clean)) return refuse();
+    const bool is_good = make_clean_copy(clean);
     text_ = clean;
+    if (!is_good) {
+        read_prefix();
+        return refuse();
+    }
     if (text_.empty()) return;
     if (is_percent()) return;
     if (is_console_command()) return;

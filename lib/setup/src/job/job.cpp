@@ -4,6 +4,7 @@
 #include "ncsim/setup/job.h"
 
 #include "ncsim/base/file_names.h"
+#include "ncsim/gcode/executed_text.h"
 #include "ncsim/gcode/file_programs.h"
 #include "ncsim/gcode/subprogram_file.h"
 #include "ncsim/setup/coordinate_systems.h"
@@ -342,10 +343,12 @@ void choose_program(Job& job, const JobOptions& options) {
     if (options.dialect == gcode::Dialect::Heidenhain ||
         options.dialect == gcode::Dialect::Sinumerik)
         return;
-    const gcode::FilePrograms file(job.program, options.block_delete.value_or(false));
+    const gcode::ExecutedText executed(job.program, job.interpreter);
+    const gcode::FilePrograms file(executed.file());
     const std::vector<gcode::FileProgram>& programs = file.programs();
     if (programs.size() < 2 && file.unreached().empty()) return;
-    auto findings = std::make_shared<gcode::DialectFindings>(gcode::detect_dialect(job.program));
+    auto findings =
+        std::make_shared<gcode::DialectFindings>(gcode::detect_dialect(executed.file()));
     const bool is_other = findings->kind != gcode::Kind::Milling;
     if (is_other && options.dialect == gcode::Dialect::Auto && !options.strict) return;
     const std::size_t number = options.number_in_file.value_or(0);
@@ -402,10 +405,11 @@ Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_
     }
     choose_program(job, options);
     bool inches = options.inches.value_or(false);
-    toolpath::ProgramNotes notes = toolpath::read_notes(job.program, inches);
-    if (!options.inches && suggests_inches(job.program, notes.tools)) {
+    const gcode::ExecutedText executed(job.program, job.interpreter);
+    toolpath::ProgramNotes notes = toolpath::read_notes(executed.file(), inches);
+    if (!options.inches && suggests_inches(executed.file(), notes.tools)) {
         inches = true;
-        notes = toolpath::read_notes(job.program, inches);
+        notes = toolpath::read_notes(executed.file(), inches);
     }
     job.interpreter.default_units =
         inches ? gcode::DefaultUnits::Inches : gcode::DefaultUnits::Millimetres;

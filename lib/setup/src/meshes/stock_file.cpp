@@ -144,15 +144,6 @@ cda::Placement placement_of(const std::vector<AxisTurn>& turns) {
 
 }  // namespace
 
-cda::Placement parse_turn(const std::string& text) {
-    const auto turns = turns_of(text);
-    if (!turns || !std::ranges::all_of(*turns, is_right_angle)) {
-        throw std::invalid_argument(
-            fmt::format("'{}': expected right angles about axes, such as X180 or X90,Z-90", text));
-    }
-    return placement_of(*turns);
-}
-
 Turn parse_any_turn(const std::string& text) {
     const auto turns = turns_of(text);
     if (!turns) {

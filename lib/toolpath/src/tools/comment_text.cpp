@@ -35,10 +35,6 @@ std::size_t find_word(std::string_view s, std::string_view needle, std::size_t f
     return std::string_view::npos;
 }
 
-bool has_word(std::string_view s, std::string_view needle) {
-    return find_word(s, needle) != std::string_view::npos;
-}
-
 namespace {
 
 struct Plain {

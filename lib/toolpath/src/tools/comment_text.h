@@ -15,9 +15,8 @@ namespace ncsim::toolpath::text {
 
 bool is_letter(char c);
 std::vector<std::string_view> split(std::string_view s, char separator);
-/// True if `needle` occurs as a word of its own, without adjacent letters.
-bool has_word(std::string_view s, std::string_view needle);
-/// Returns the position of that word from `from` on; npos if there is none.
+/// Returns the first position from `from` on at which `needle` is a word of its own, without
+/// adjacent letters; npos if there is none.
 std::size_t find_word(std::string_view s, std::string_view needle, std::size_t from = 0);
 
 /// A number with its unit, if given.

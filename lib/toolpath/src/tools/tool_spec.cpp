@@ -369,11 +369,6 @@ bool has_body(const std::vector<ToolPiece>& pieces) {
 
 }  // namespace
 
-bool specifies_shank(const ToolSpec& spec) {
-    return spec.shank_diameter || spec.neck_diameter || !spec.shaft.empty() ||
-           has_body(spec.pieces);
-}
-
 bool specifies_holder(const ToolSpec& spec) {
     return !spec.holder.empty() || has_body(spec.pieces);
 }

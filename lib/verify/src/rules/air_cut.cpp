@@ -5,6 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+#include <utility>
+#include <vector>
+
 namespace ncsim::verify {
 
 namespace {
@@ -63,9 +67,12 @@ void AirCuts::conclude(const Setup& setup, FindingLog& log) const {
     f.message =
         fmt::format("{} of {} feed moves remove nothing, at lines {}", air_blocks_, blocks_, where);
     f.quantity = Quantity{"share of the feed path", 100.0 * air_mm_ / feed_mm_, "%"};
-    if (!setup.stock_assumption.empty())
+    std::vector<std::string_view> rests_on;
+    if (!setup.stock_assumption.empty()) {
         f.assumptions.push_back("stock: " + setup.stock_assumption);
-    log.add(std::move(f));
+        rests_on.emplace_back("stock-guess");
+    }
+    log.add(std::move(f), std::move(rests_on));
 }
 
 }  // namespace ncsim::verify

@@ -103,6 +103,7 @@ std::string_view doubt_of_diagnostic(std::string_view code) {
         {"turn-fraction", "reading-guess"},
         {"tool-probe", "not-simulated"},
         {"inner-radius", "reading-guess"},
+        {"cycle-parameter-left-out", "reading-guess"},
         {"turn-by-vector", "reading-guess"},
         {"moves-after-end", "not-simulated"},
         {"never-called", "not-simulated"},

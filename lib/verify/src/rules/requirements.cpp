@@ -57,7 +57,8 @@ std::optional<std::string> missing_requirement(const Setup& setup, std::string_v
 
 bool needs_part(const Setup& setup) {
     return std::ranges::any_of(rule_table(), [&](const Rule& rule) {
-        return rule.of_part && setup.selection.includes(rule.info.id);
+        const bool is_asked = rule.info.id != "air-cut" || setup.air_cuts;
+        return rule.of_part && is_asked && setup.selection.includes(rule.info.id);
     });
 }
 

@@ -30,11 +30,10 @@ struct Unreached {
 /// The programs of a file, and the parts that no program reaches.
 class FilePrograms {
 public:
-    /// Reads the O numbers, ends and calls of `file`. `block_delete`: blocks that begin with '/'
-    /// are skipped.
+    /// Reads the O numbers, ends and calls of `file`.
     /// Cost: O(length of the file); a file with a single program and only comments after the end
     /// costs one search.
-    FilePrograms(const SourceFile& file, bool block_delete);
+    explicit FilePrograms(const SourceFile& file);
 
     /// Returns the programs in the order of the file; at least one.
     const std::vector<FileProgram>& programs() const { return programs_; }

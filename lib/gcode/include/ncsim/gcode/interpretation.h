@@ -127,7 +127,8 @@ struct InterpreterOptions {
     /// Target positions of G28 and G30 in machine coordinates, until G28.1 and G30.1 set new
     /// positions.
     std::array<Position, 2> homes{};
-    bool block_delete = false;  ///< Skips blocks that start with '/'.
+    /// Reads the program and its subprograms without blocks that start with '/' (ExecutedText).
+    bool block_delete = false;
 
     Dialect dialect = Dialect::Auto;
     /// Conclusions from the whole file, if the program is one of several in the file; null:
@@ -194,7 +195,7 @@ struct Interpretation {
     /// Origin and rotation of W; in machine coordinates only along axes with `frame` 0.
     WorkOffset workpiece;
     std::vector<OffsetConflict> offset_conflicts;
-    /// First block that starts with '/' and that execution reached, even if the block was skipped.
+    /// First block that starts with '/' and that execution reached; empty with block delete.
     std::optional<ProgramPlace> deletable;
     /// On Fanuc and Haas: first length or angle without a decimal point that would have another
     /// value in least increments. `has_points`: some number has a decimal point.

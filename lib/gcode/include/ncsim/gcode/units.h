@@ -9,16 +9,14 @@
 
 namespace ncsim::gcode {
 
-/// A length. 1 inch is 25.4 mm exactly.
+/// A length.
 class Length {
 public:
     constexpr Length() = default;
 
     static constexpr Length from_mm(double mm) { return Length(mm); }
-    static constexpr Length from_inch(double inch) { return Length(25.4 * inch); }
 
     constexpr double mm() const { return mm_; }
-    constexpr double inch() const { return mm_ / 25.4; }
 
     constexpr auto operator<=>(const Length&) const = default;
     constexpr Length operator-() const { return Length(-mm_); }
@@ -40,9 +38,6 @@ public:
     constexpr Angle() = default;
 
     static constexpr Angle from_degrees(double degrees) { return Angle(degrees); }
-    static constexpr Angle from_radians(double rad) {
-        return Angle(rad * (180.0 / std::numbers::pi));
-    }
 
     constexpr double degrees() const { return degrees_; }
     constexpr double radians() const { return degrees_ * (std::numbers::pi / 180.0); }

@@ -23,10 +23,6 @@ bool is_stock_file(const std::string& text);
 /// which is not read. Empty with the expected form in `message` if `text` is neither.
 std::optional<toolpath::Stock> specified_stock(const std::string& text, std::string& message);
 
-/// Reads rotations by right angles about the program's axes, in sequence: "X180", "X90,Z-90".
-/// Throws: std::invalid_argument with the expected form.
-cda::Placement parse_turn(const std::string& text);
-
 /// A rotation of stock from a file.
 struct Turn {
     /// Rows of the rotation matrix.

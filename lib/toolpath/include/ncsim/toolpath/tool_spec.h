@@ -86,8 +86,6 @@ std::vector<std::string> unsupported_values(const ToolSpec& spec);
 /// True if the shape of the cutting part is assumed: the kind of tool, the angle of a cone, or the
 /// height of a disc is unspecified.
 bool guesses_shape(const ToolSpec& spec);
-/// True if the part between flutes and holder is specified.
-bool specifies_shank(const ToolSpec& spec);
 /// True if the holder is specified.
 bool specifies_holder(const ToolSpec& spec);
 
