@@ -3,13 +3,12 @@
 #
 # Package:  Debian 12, librust-lyon-geom-dev 0.15.0-2, librust-euclid-dev 0.20.0-1, librust-num-traits-dev 0.2.15-1,
 #           librust-arrayvec-dev 0.7.2-2 (lyon_geom: arcs and curves in Rust). The script calls rustc, of any version since 1.51.
-# Input:    arcs of the radius 10, counter-clockwise and clockwise, and arcs of an ellipse of 10 x 5 turned by 30 degrees, with the centre
-#           100,50. Each is compared with 2001 samples of the arc itself. Source: documentation of Arc (to_svg_arc: "Convert to the
-#           SVG arc notation"; for_each_flattened: "Approximates the arc with a sequence of line segments"; bounding_rect and
-#           fast_bounding_rect: "Returns a conservative rectangle that contains the curve"; flip: "Swap the direction of the
-#           segment").
-# Expected: The SVG arc is the same arc. A flipped arc has the same length and bounding box. Flattened with the tolerance 0.01, a
-#           quarter arc has the length 15.70 in both directions. Each rectangle contains the arc.
+# Input:    arcs of the radius 10, counter-clockwise and clockwise, and arcs of an ellipse of 10 x 5, turned by 30 degrees, with the
+#           centre 100,50. Each is compared with 2001 samples of the arc itself. Source: documentation of Arc (to_svg_arc:
+#           "Convert to the SVG arc notation"; for_each_flattened: "Approximates the arc with a sequence of line segments";
+#           bounding_rect and fast_bounding_rect: "Returns a conservative rectangle that contains the curve").
+# Expected: The SVG arc is the same arc. In the other direction, an arc has the same length and bounding box. Flattened with the
+#           tolerance 0.01, a quarter arc has the length 15.70 in both directions. Each rectangle contains the arc.
 # Seen:     The flags of the SVG arc are exchanged: an arc of 90 degrees becomes one of -270 degrees, -200 becomes 160. A
 #           clockwise arc is flattened to its chord: the quarter has the length 14.14. The bounding box of clockwise arcs
 #           omits their extrema, so the arc from 135 to 45 degrees leaves its box. The fast rectangle of the turned ellipse is
