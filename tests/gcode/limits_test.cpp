@@ -332,7 +332,8 @@ TEST(ModesInPairs, RotationInIncrementsTurnsAboutTheNamedCentre) {
 
 TEST(Limits, AJumpToAComputedLineReachesEachLine) {
     const auto unreached = [](const std::string& text) {
-        const FilePrograms file{SourceFile{"a.nc", text}, false};
+        const SourceFile source{"a.nc", text};
+        const FilePrograms file(source);
         return file.unreached().size();
     };
     EXPECT_EQ(unreached("O1\nG1 X1\nM97 P20\nM30\nN10 X1\nM99\nN20 X2\nM99\n"), 1U);

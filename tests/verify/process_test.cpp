@@ -3,6 +3,8 @@
 // Spindle, feed, depth, engagement and removal. Each rule has a program that violates the rule at a
 // known line by a known amount, a program that just keeps the rule, and a program for which the
 // rule cannot be checked.
+#include "ncsim/verify/rule.h"
+
 #include "verify/expected.h"
 
 #include <gtest/gtest.h>
@@ -185,9 +187,9 @@ TEST(AirCut, TellsTheShareAndTheLines) {
 /// Without the other rules a guessed stock is a doubt about air cuts, too, if they are looked for.
 TEST(AirCut, OnAGuessedStockIsNotProven) {
     const auto reasons = [](const verify::Setup& setup) {
+        const auto verdict = verdict_of(kStart + "G1 Z-2\nG1 X30\nG1 Y20\n", setup);
         std::set<std::string> all;
-        for (const verify::Doubt& doubt :
-             verdict_of(kStart + "G1 Z-2\nG1 X30\nG1 Y20\n", setup).doubts)
+        for (const verify::Doubt& doubt : verdict.doubts)
             all.insert(std::string(doubt.reason));
         return all;
     };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Table of the parameters that each cycle applies.
-// Source: HEIDENHAIN TNC 640, User's Manual for Cycle Programming, 892903.
 #include "klartext/cycle_parameters.h"
 
 #include <algorithm>
