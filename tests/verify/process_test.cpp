@@ -205,7 +205,7 @@ TEST(AirCut, OnAGuessedStockIsNotProven) {
     EXPECT_FALSE(reasons(setup).contains("stock-guess"));
 }
 
-/// As an error, the finding is a doubt of its own.
+/// With the severity of an error, the finding gives a second doubt: the error rests on a guess.
 TEST(AirCut, AsAnErrorRestsOnTheStock) {
     verify::Setup setup = plain_setup();
     setup.air_cuts = true;
