@@ -4,20 +4,24 @@
 // squares.
 #include "ncsim/brep/curve.h"
 #include "ncsim/brep/measure.h"
+#include "ncsim/brep/patch.h"
 #include "ncsim/brep/swept_surfaces.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 
 #include "brep/golden.h"
+#include "geometry/spline_surface.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace ncsim::brep {
@@ -313,6 +317,28 @@ TEST(Recognise, KnowsTheGroovesOfBallsOnOtherArcs) {
 // face follow the fold, where some of their points have no place on the envelope. The projected
 // area of a face follows from its edges for any direction. So the volume does not depend on the
 // origin of the sum.
+// Readers take edges within 1e-7 mm of a surface for exact, so patches must be nearer than that.
+TEST(Envelope, PatchesAreNearerThanReadersMeasure) {
+    const Made made = make({"slope", "T4 M6\nG0 X-10 Y30 Z0\nG1 X90 Z-6\nG0 Z5\n", {}, 0.0}, 0.02);
+    std::size_t patches = 0;
+    for (const Face& face : made.solid.part.faces) {
+        if (!std::holds_alternative<Envelope>(face.surface.form)) continue;
+        ++patches;
+        const Patch patch = patch_of(made.solid.part, face);
+        double most = 0.0;
+        for (std::size_t i = 0; i + 1 < patch.around.size(); ++i) {
+            for (std::size_t j = 0; j + 1 < patch.along.size(); ++j) {
+                const double u = 0.3 * patch.around[i] + 0.7 * patch.around[i + 1];
+                const double v = 0.6 * patch.along[j] + 0.4 * patch.along[j + 1];
+                most =
+                    std::max(most, std::abs(distance(face.surface.form, point_of(patch, u, v).at)));
+            }
+        }
+        EXPECT_LT(most, 5e-8);
+    }
+    EXPECT_EQ(patches, 1U);
+}
+
 TEST(Envelope, AreasAreKnownWhereItFolds) {
     simulation::Plan plan;
     plan.job = setup::job_of(

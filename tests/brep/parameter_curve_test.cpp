@@ -4,6 +4,7 @@
 // parameters of the surfaces, too.
 #include "ncsim/brep/parameter_curve.h"
 
+#include "ncsim/brep/edge_deviation.h"
 #include "ncsim/brep/long_windings.h"
 #include "ncsim/brep/measure.h"
 
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -101,6 +103,7 @@ TEST(ParameterCurves, AreTheEdgesOnWallsOfBores) {
                                 (wall->radius * std::sin(u)) * cross(frame.axis, frame.x);
                 const double t = curve->knots[i] + s * (curve->knots[i + 1] - curve->knots[i]);
                 EXPECT_LT(norm(on - track.at((t - begin) / length)), 1.5e-7);
+                EXPECT_LT(norm(on - surface->point_on(*curve, (t - begin) / length)), 1e-12);
             }
         }
     });
@@ -240,6 +243,47 @@ TEST(LongWindings, AreDividedInTheFileAlone) {
 // A bore and a thread of one turn are not divided.
 TEST(LongWindings, AreMoreThanATurn) {
     EXPECT_FALSE(has_long_windings(crossing_part().solid.part));
+}
+
+// A chord of a cylinder of radius 5 about Y, at the height Z4.9999: 1e-4 mm inside above the axis.
+std::optional<double> unmeasured_on_chord(double from, double to, double height = 4.9999) {
+    Part part;
+    part.vertices = {{from, 0.0, height}, {to, 0.0, height}};
+    part.edges = {{0, 1, Line{}}};
+    const Form cylinder = Cylinder{{}, {0.0, 1.0, 0.0}, 5.0};
+    EdgeDeviation deviation(part, part.edges[0]);
+    deviation.add(cylinder);
+    EXPECT_NEAR(deviation.at(from / (from - to)), 5.0 - height, 1e-12);
+    return deviation.unmeasured_maximum();
+}
+
+TEST(EdgeDeviation, IsFoundBetweenThePlacesThatReadersMeasure) {
+    const double half = std::sqrt(25.0 - 4.9999 * 4.9999);
+    for (const double to : {0.3 * half, 0.65 * half, 0.9 * half}) {
+        const auto place = unmeasured_on_chord(-half, to);
+        ASSERT_TRUE(place) << to;
+        EXPECT_NEAR(*place, half / (half + to), 1e-5) << to;
+    }
+}
+
+TEST(EdgeDeviation, HasNoVertexWhereReadersMeasure) {
+    const double half = std::sqrt(25.0 - 4.9999 * 4.9999);
+    EXPECT_FALSE(unmeasured_on_chord(-half, half)) << "in the middle";
+    EXPECT_FALSE(unmeasured_on_chord(-half, half * 8.0 / 14.0)) << "at 14 of 22";
+    EXPECT_FALSE(unmeasured_on_chord(-half, 5e-5)) << "too near to the end";
+}
+
+TEST(EdgeDeviation, HasNoVertexOnEdgesThatReadersTakeForExact) {
+    EXPECT_FALSE(unmeasured_on_chord(-1e-4, 0.37e-4, 5.0 - 0.9e-7));
+}
+
+// A circle in a file has its radius, also if its ends miss the circle.
+TEST(PointInFile, IsOnTheCircle) {
+    const Curve curve = Circle{{}, {0.0, 0.0, 1.0}, 2.0};
+    const Vec3 from{2.001, 0.0, 0.0}, to{0.0, 2.001, 0.0};
+    const Track track(curve, from, to);
+    EXPECT_NEAR(norm(track.at(0.3)), 2.001, 1e-12);
+    EXPECT_NEAR(norm(point_in_file(track, track.at(0.3))), 2.0, 1e-12);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // Ramps: a flat end that moves down or up leaves an extruded circle.
 #include "ncsim/brep/frames.h"
 #include "ncsim/brep/measure.h"
+#include "ncsim/brep/parameter_curve.h"
 
 #include "brep/golden.h"
 #include "brep/made_part.h"
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <sstream>
@@ -249,6 +251,27 @@ TEST(Recognise, ShallowRampsThatEndInAPointAreHalfCirclesInFiles) {
         if (!half) continue;
         ++halves;
         EXPECT_NEAR(norm(*half - ahead), 0.0, 1e-6);
+        // The parameters of its edges are those of the curve in the file.
+        const auto surface = ParameterSurface::of(ends.solid.part, face, nullptr);
+        ASSERT_TRUE(surface);
+        const auto& along = std::get<Extrusion>(face.surface.form).along;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const Edge& edge = ends.solid.part.edges[use.edge];
+                const auto places = surface->curve_of(ends.solid.part, edge);
+                ASSERT_TRUE(places);
+                const auto& vertices = ends.solid.part.vertices;
+                const Vec2 first = places->points.front(), last = places->points.back();
+                EXPECT_LT(norm(curve.at(first.x) + first.y * along - vertices[edge.from]), 1e-5);
+                EXPECT_LT(norm(curve.at(last.x) + last.y * along - vertices[edge.to]), 1e-5);
+                const Track track(edge.curve, vertices[edge.from], vertices[edge.to]);
+                for (const double t : {0.0, 0.1, 0.37, 0.5, 0.8, 1.0}) {
+                    const Vec3 on = surface->point_on(*places, t);
+                    const double miss = std::abs(distance(face.surface.form, track.at(t)));
+                    EXPECT_LT(norm(on - track.at(t)), 1.001 * miss + 1.5e-7) << t;
+                }
+            }
+        }
     }
     EXPECT_EQ(halves, 1);
 }

@@ -107,6 +107,9 @@ ncsim_judge_parts(slots_that_were_faulty
 # Arcs that miss their corners by rounding. Most of these had complaints before Booleans; 9611053,
 # 9611126 and 9611164 were cut in two empty parts where edges were off their walls along their length.
 ncsim_judge_parts(slots_for_booleans --seeds 9611001 9611003 9611008 9611013 9611053 9611126 9611164)
+# Edges whose largest distance from a surface is between the places that OpenCASCADE measures: of
+# walls that programs round, of envelopes, and of ramps whose floor is half of a circle in the file.
+ncsim_judge_parts(edges_for_booleans --seeds 1913002 1913016 4913016 4913017)
 # Tools and parts that lean on machines of all kinds, where many facets stay; the same as facets
 # alone. 3001006: a plane with a corner 2 µm inside of an arc of its own, of which nothing was drawn;
 # 3100001: a needle in a plane that it does not lie in, narrower than its corners are off the planes around it;

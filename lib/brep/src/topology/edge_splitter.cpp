@@ -4,6 +4,7 @@
 #include "topology/edge_splitter.h"
 
 #include "geometry/no_index.h"
+#include "topology/divided_spline.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,69 +16,45 @@ namespace ncsim::brep {
 
 namespace {
 
-// Splits the spline at an inner knot.
-EdgeHalves split_spline(const Spline& spline, std::size_t middle) {
-    const auto width = [&](std::size_t i) { return spline.knots[i + 1] - spline.knots[i]; };
-    // Divides the segment between the adjacent control points in the ratio of the adjacent pieces.
-    const double before = width(middle - 1), after = width(middle);
-    const Vec3 at = (1.0 / (before + after)) *
-                    (after * spline.points[2 * middle] + before * spline.points[2 * middle + 1]);
-    const auto split = [&](auto first, auto last) { return std::vector(first, last); };
-    const auto points = [&](std::size_t i) {
-        return spline.points.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    const auto knot = [&](std::size_t i) {
-        return spline.knots.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    Spline first{split(points(0), points(2 * middle + 1)), split(knot(0), knot(middle + 1))};
-    Spline second{split(points(2 * middle + 1), spline.points.end()),
-                  split(knot(middle), spline.knots.end())};
-    first.points.push_back(at);
-    second.points.insert(second.points.begin(), at);
-    for (double& k : second.knots)
-        k -= spline.knots[middle];
-    return EdgeHalves{at, std::move(first), std::move(second)};
+// Divides the spline at a parameter. The second half starts at 0.
+EdgeHalves halves_of(const Spline& spline, double place) {
+    auto [first, second] = divided_at(spline, place);
+    const double begin = second.knots.front();
+    for (double& knot : second.knots)
+        knot -= begin;
+    const Vec3 middle = second.points.front();
+    return {middle, std::move(first), std::move(second)};
 }
 
-// Splits the spline at the middle knot, if there is an inner knot.
-std::optional<EdgeHalves> split_spline(const Spline& spline) {
-    const std::size_t knots = spline.knots.size();
-    if (knots < 3) return std::nullopt;
-    return split_spline(spline, knots / 2);
-}
-
-// Splits the spline at any place: the cubic there becomes two cubics on the same curve.
-EdgeHalves split_spline(const Part& part, const Edge& edge, const Spline& spline, double at) {
+// Returns the parameter at `at`, or a knot within a thousandth of its piece.
+double near_knot(const Spline& spline, double at) {
     const auto& k = spline.knots;
     const double place = k.front() + at * (k.back() - k.front());
-    const auto after = static_cast<std::size_t>(std::ranges::upper_bound(k, place) - k.begin());
-    const std::size_t i = std::clamp<std::size_t>(after, 1, k.size() - 1);
-    // A knot this near to the place is the place.
-    const double width = k[i] - k[i - 1];
-    if (place - k[i - 1] < 1e-3 * width && i > 1) return split_spline(spline, i - 1);
-    if (k[i] - place < 1e-3 * width && i + 1 < k.size()) return split_spline(spline, i);
-    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
-    const Track::Step step = track.step(at);
-    const Vec3 third = (1.0 / (3.0 * (k.back() - k.front()))) * step.derivative;
-    Spline finer = spline;
-    // The inner control points of the piece move towards its ends in proportion to the new widths.
-    const std::size_t first = 2 * i - 1;
-    const double before = place - k[i - 1], rest = k[i] - place;
-    const Vec3 from = track.at((k[i - 1] - k.front()) / (k.back() - k.front()));
-    const Vec3 to = track.at((k[i] - k.front()) / (k.back() - k.front()));
-    finer.points[first] = from + (before / width) * (spline.points[first] - from);
-    finer.points[first + 1] = to + (rest / width) * (spline.points[first + 1] - to);
-    const auto where = finer.points.begin() + static_cast<std::ptrdiff_t>(first + 1);
-    finer.points.insert(where, {step.at - before * third, step.at + rest * third});
-    finer.knots.insert(finer.knots.begin() + static_cast<std::ptrdiff_t>(i), place);
-    return split_spline(finer, i);
+    const std::size_t i = piece_at(spline, place);
+    const double width = k[i + 1] - k[i];
+    if (place - k[i] < 1e-3 * width && i > 0) return k[i];
+    if (k[i + 1] - place < 1e-3 * width && i + 2 < k.size()) return k[i + 1];
+    return place;
 }
 
 }  // namespace
 
+EdgeHalves divide_edge(const Part& part, const Edge& edge, double at) {
+    if (const auto* spline = std::get_if<Spline>(&edge.curve)) {
+        const auto& k = spline->knots;
+        return halves_of(*spline, k.front() + at * (k.back() - k.front()));
+    }
+    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    return {point_in_file(track, track.at(at)), edge.curve, edge.curve};
+}
+
 std::optional<EdgeHalves> split_edge(const Part& part, const Edge& edge, double at) {
     if (std::holds_alternative<Line>(edge.curve)) return std::nullopt;
-    if (const auto* spline = std::get_if<Spline>(&edge.curve)) return split_spline(*spline);
+    if (const auto* spline = std::get_if<Spline>(&edge.curve)) {
+        const std::size_t knots = spline->knots.size();
+        if (knots < 3) return std::nullopt;
+        return halves_of(*spline, spline->knots[knots / 2]);
+    }
     const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
     return EdgeHalves{track.at(at), edge.curve, edge.curve};
 }
@@ -93,8 +70,8 @@ bool EdgeSplitter::divide(std::uint32_t number, double at) {
     if (number >= second_.size() || second_[number] != kNone) return false;
     const Edge& edge = part_.edges[number];
     const auto* spline = std::get_if<Spline>(&edge.curve);
-    return replace(number,
-                   spline ? split_spline(part_, edge, *spline, at) : split_edge(part_, edge, at));
+    return replace(
+        number, spline ? halves_of(*spline, near_knot(*spline, at)) : split_edge(part_, edge, at));
 }
 
 bool EdgeSplitter::replace(std::uint32_t number, std::optional<EdgeHalves> halves) {

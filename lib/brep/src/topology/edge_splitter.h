@@ -3,6 +3,7 @@
 // Edges that are split at a new vertex.
 #pragma once
 
+#include "ncsim/brep/divided_edge.h"
 #include "ncsim/brep/part.h"
 
 #include <cstdint>
@@ -10,12 +11,6 @@
 #include <vector>
 
 namespace ncsim::brep {
-
-/// Halves of an edge: from the start to `middle`, and on to the end.
-struct EdgeHalves {
-    Vec3 middle;
-    Curve first, second;
-};
 
 /// Returns the halves of `edge`. Circles and ellipses are split at the fraction `at` of their
 /// angle, splines at the middle knot. No value for lines, and for splines without an inner knot.

@@ -152,6 +152,7 @@ private:
     // Adds a knot in the middle of pieces that are too far off, in both directions. Returns true if
     // a knot was added.
     bool refine() {
+        const double most = 0.3 * kReaderMm;
         std::vector<bool> wide(around_.size(), false), lengthy(along_.size(), false);
         for (std::size_t i = 0; i + 1 < around_.size(); ++i) {
             for (std::size_t j = 0; j + 1 < along_.size(); ++j) {
@@ -161,9 +162,9 @@ private:
                     ahead = std::max({ahead, deviation(i, j, 0.0, x), deviation(i, j, 1.0, x)});
                     inside = std::max({inside, deviation(i, j, x, 0.5), deviation(i, j, 0.5, x)});
                 }
-                if (std::max({across, ahead, inside}) <= kPointError) continue;
-                wide[i] = wide[i] || across > kPointError || across >= ahead;
-                lengthy[j] = lengthy[j] || ahead > kPointError || ahead > across;
+                if (std::max({across, ahead, inside}) <= most) continue;
+                wide[i] = wide[i] || across > most || across >= ahead;
+                lengthy[j] = lengthy[j] || ahead > most || ahead > across;
             }
         }
         const bool more_around = halve(around_, wide);

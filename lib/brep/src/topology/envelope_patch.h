@@ -9,7 +9,7 @@
 namespace ncsim::brep {
 
 /// Returns the patch around and along the path, to a little beyond the face. Knots are added until
-/// the patch is within 1e-6 mm of the envelope between knots, or there are 400 knots in a
+/// the patch is within 3e-8 mm of the envelope between knots, or there are 400 knots in a
 /// direction.
 Patch patch_of_envelope(const Part& part, const Face& face, const Envelope& envelope);
 

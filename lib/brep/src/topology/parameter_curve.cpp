@@ -5,12 +5,15 @@
 #include "ncsim/brep/parameter_curve.h"
 
 #include "ncsim/base/angles.h"
+#include "ncsim/brep/divided_edge.h"
 #include "ncsim/brep/frames.h"
 
 #include "geometry/spline_surface.h"
 #include "geometry/tolerances.h"
+#include "topology/divided_spline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -44,7 +47,15 @@ std::optional<Vec2> components(Vec3 u, Vec3 v, Vec3 w, bool any) {
 
 }  // namespace
 
-// An edge with the parameter of its curve in a file.
+// A circle may miss the ends of its edge, and its track does not.
+Vec3 point_in_file(const Track& track, Vec3 p) {
+    const Circle* circle = track.circle();
+    if (!circle) return p;
+    return circle->centre + circle->radius * normalized(p - circle->centre);
+}
+
+// An edge with the parameter of its curve in a file. Curves in parameters end in the corners, where
+// readers join them.
 class ParameterSurface::FileCurve {
 public:
     FileCurve(const Part& part, const Edge& edge)
@@ -61,6 +72,13 @@ public:
             if (begin_ > kTurn - kRounding) begin_ -= kTurn;
             length_ = track_.sweep_degrees() * kRadiansPerDegree;
         }
+    }
+
+    // Returns the parameter at which the rest of the edge begins if it is an edge of its own.
+    double begin_of_rest(double at) const {
+        const double begin = begin_ + at * length_;
+        if (!track_.is_ellipse()) return 0.0;
+        return begin > kTurn - kRounding ? begin - kTurn : begin;
     }
 
     std::vector<double> breaks() const {
@@ -84,8 +102,14 @@ private:
 std::optional<ParameterSurface> ParameterSurface::of(const Part& part, const Face& face,
                                                      std::shared_ptr<const Patch> patch) {
     const Form& form = face.surface.form;
-    if (std::holds_alternative<Plane>(form) || half_of_ramp(part, face)) return std::nullopt;
-    return ParameterSurface(form, frame_in_file(part, face), std::move(patch));
+    if (std::holds_alternative<Plane>(form)) return std::nullopt;
+    Frame frame = frame_in_file(part, face);
+    const auto half = half_of_ramp(part, face);
+    if (half) {
+        const auto& ramp = std::get<Extrusion>(form);
+        frame = {ramp.centre, ramp.axis, -cross(ramp.axis, *half)};
+    }
+    return ParameterSurface(form, frame, std::move(patch), half.has_value());
 }
 
 ParameterSurface::Point ParameterSurface::point(Place place) const {
@@ -94,6 +118,7 @@ ParameterSurface::Point ParameterSurface::point(Place place) const {
         return {p.at, p.by_around, p.by_along};
     }
     const Vec3 x = frame_.x, z = frame_.axis, y = cross(z, x);
+    if (is_half_) return point_of_half(place);
     const auto u = sin_cos(place[0] / kRadiansPerDegree);
     const Vec3 out = u.cos * x + u.sin * y, on = u.cos * y - u.sin * x;
     const auto turned = [&](double radius, double height, double radius_by_v, double height_by_v) {
@@ -121,26 +146,48 @@ ParameterSurface::Point ParameterSurface::point(Place place) const {
                   torus.minor * v.cos);
 }
 
+// The file has half of a circle as a rational cubic: the tangent of half the angle is u / (1 - u).
+ParameterSurface::Point ParameterSurface::point_of_half(Place place) const {
+    const auto& ramp = std::get<Extrusion>(form_);
+    const Vec3 y = cross(frame_.axis, frame_.x);
+    const double u = place[0], w = 1.0 - u, square = u * u + w * w;
+    const double cosine = (w * w - u * u) / square, sine = 2.0 * u * w / square;
+    return {frame_.origin + ramp.radius * (cosine * frame_.x + sine * y) + place[1] * ramp.along,
+            (2.0 * ramp.radius / square) * (cosine * y - sine * frame_.x), ramp.along};
+}
+
 // On cones, lines of readers end elsewhere; on patches, a point farther off may have several feet.
 double ParameterSurface::farthest() const {
     if (patch_) return 10.0 * kPointError;
     return std::holds_alternative<Cone>(form_) ? 2.0 * kPointError : kTangencyGapMm;
 }
 
-std::optional<ParameterSurface::Place> ParameterSurface::first_place(Vec3 p) const {
-    if (patch_) {
-        Place best{};
-        double nearest = std::numeric_limits<double>::infinity();
-        for (const double u : patch_->around) {
-            for (const double v : patch_->along) {
-                const double away = norm(point({u, v}).at - p);
-                if (away >= nearest) continue;
-                nearest = away;
-                best = {u, v};
-            }
-        }
-        return place(p, best);
+// Where parameter lines touch, steps from the nearest knot may end elsewhere, so the steps
+// start from several ones.
+std::optional<ParameterSurface::Place> ParameterSurface::place_on_patch(Vec3 p) const {
+    std::vector<std::pair<double, Place>> knots;
+    knots.reserve(patch_->around.size() * patch_->along.size());
+    for (const double u : patch_->around) {
+        for (const double v : patch_->along)
+            knots.emplace_back(norm(point({u, v}).at - p), Place{u, v});
     }
+    const auto nearer = [](const auto& a, const auto& b) { return a.first < b.first; };
+    const auto last = knots.begin() + std::min<std::ptrdiff_t>(4, std::ssize(knots));
+    std::ranges::partial_sort(knots, last, nearer);
+    std::optional<Place> best;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (auto knot = knots.begin(); knot != last && nearest > farthest(); ++knot) {
+        const auto found = place(p, knot->second);
+        const double away = found ? norm(point(*found).at - p) : nearest;
+        if (!found || away >= nearest) continue;
+        nearest = away;
+        best = found;
+    }
+    return best;
+}
+
+std::optional<ParameterSurface::Place> ParameterSurface::first_place(Vec3 p) const {
+    if (patch_) return place_on_patch(p);
     Vec3 at = p - frame_.origin;
     double along = dot(at, frame_.axis);
     if (const auto* form = std::get_if<Extrusion>(&form_)) {
@@ -150,6 +197,10 @@ std::optional<ParameterSurface::Place> ParameterSurface::first_place(Vec3 p) con
     const double x = dot(at, frame_.x), y = dot(at, cross(frame_.axis, frame_.x));
     const double radius = std::sqrt(x * x + y * y);
     if (radius < kLeastSizeMm) return std::nullopt;  // The angle is undetermined.
+    if (is_half_) {
+        const auto half = sin_cos(0.5 * angle_of(x, y));
+        return Place{half.sin / (half.sin + half.cos), along};
+    }
     double u = angle_rad(x, y);
     if (u < 0.0) u += kTurn;
     if (std::holds_alternative<Sphere>(form_)) return Place{u, angle_rad(radius, along)};
@@ -170,21 +221,32 @@ std::optional<ParameterSurface::Place> ParameterSurface::first_place(Vec3 p) con
 std::optional<ParameterSurface::Place> ParameterSurface::place(Vec3 p, Place nearby) const {
     if (!patch_) {
         auto found = first_place(p);
-        if (!found) return std::nullopt;
+        if (!found || is_half_) return found;
         const std::size_t angles =
             std::holds_alternative<Sphere>(form_) || std::holds_alternative<Torus>(form_) ? 2 : 1;
         for (std::size_t k = 0; k < angles; ++k)
             (*found)[k] -= kTurn * std::round(((*found)[k] - nearby[k]) / kTurn);
         return found;
     }
+    const std::array low{patch_->around.front(), patch_->along.front()};
+    const std::array high{patch_->around.back(), patch_->along.back()};
     Place at = nearby;
     for (int i = 0; i < kMostSteps / 2; ++i) {
         const Point s = point(at);
-        const auto step = components(s.by_u, s.by_v, p - s.at, true);
+        auto step = components(s.by_u, s.by_v, p - s.at, true);
         if (!step) return std::nullopt;
+        // At an end of the patch, the step along the end.
+        for (std::size_t k = 0; k < 2; ++k) {
+            const bool is_outward = (*step)[k] < 0.0 ? at[k] <= low[k] : at[k] >= high[k];
+            if (!is_outward) continue;
+            const Vec3 along = k == 0 ? s.by_v : s.by_u;
+            (*step)[k] = 0.0;
+            (*step)[1 - k] = dot(along, p - s.at) / dot(along, along);
+            break;
+        }
         const Place before = at;
-        at[0] = std::clamp(at[0] + (*step)[0], patch_->around.front(), patch_->around.back());
-        at[1] = std::clamp(at[1] + (*step)[1], patch_->along.front(), patch_->along.back());
+        for (std::size_t k = 0; k < 2; ++k)
+            at[k] = std::clamp(at[k] + (*step)[k], low[k], high[k]);
         if (std::abs(at[0] - before[0]) + std::abs(at[1] - before[1]) <
             0.1 * kUnitRounding * (1.0 + std::abs(at[0]) + std::abs(at[1])))
             break;
@@ -206,7 +268,7 @@ public:
         if (!last) return std::nullopt;
         nodes_.push_back(*last);
         for (std::size_t i = 1; i < breaks.size(); ++i) {
-            if (!add_piece(breaks[i], 7)) return std::nullopt;
+            if (!add_piece(breaks[i], 14)) return std::nullopt;
         }
         ParameterCurve result;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -217,6 +279,7 @@ public:
                                                            : handle(nodes_[i + 1].t - node.t));
             result.knots.push_back(node.t);
         }
+        result.miss_mm = miss_mm_;
         return result;
     }
 
@@ -255,8 +318,8 @@ private:
         const Node from = nodes_.back();
         const double width = t - from.t;
         const auto to = node_at(t, from.t, from.at + width * from.slope);
-        if (!to) return false;
-        if (is_near(from, *to)) {
+        // A last piece may be as far off as readers accept curves.
+        if (to && is_near(from, *to, halvings == 0 ? 10.0 * kPointError : 0.0)) {
             nodes_.push_back(*to);
             return true;
         }
@@ -264,7 +327,8 @@ private:
                add_piece(t, halvings - 1);
     }
 
-    bool is_near(const Node& from, const Node& to) const {
+    // Is the curve between two nodes within `most` mm, or nearly as near as the edge itself?
+    bool is_near(const Node& from, const Node& to, double most) {
         const double width = to.t - from.t;
         // Readers measure edges at a few places, and doubt what is farther off between them.
         const double slack = surface_.patch_ ? 1.5 : 1.0001;
@@ -277,27 +341,55 @@ private:
             if (away <= 0.7 * kReaderMm) return true;
             if (away > surface_.farthest()) return false;
             const auto nearest = surface_.place(p, at);
-            return nearest && away <= slack * norm(surface_.point(*nearest).at - p);
+            if (!nearest) return false;
+            const double least = norm(surface_.point(*nearest).at - p);
+            if (away > std::max(most, slack * least + 0.3 * kReaderMm)) return false;
+            miss_mm_ = std::max(miss_mm_, away);
+            return true;
         });
     }
 
     const ParameterSurface& surface_;
     const FileCurve& curve_;
     std::vector<Node> nodes_;
+    double miss_mm_ = 0.0;
 };
+
+Vec3 ParameterSurface::point_on(const ParameterCurve& curve, double t) const {
+    const auto& k = curve.knots;
+    const double place = k.front() + t * (k.back() - k.front());
+    const std::size_t i = piece_at(curve, place);
+    const double share = (place - k[i]) / (k[i + 1] - k[i]);
+    return point(SplinePiece<ParameterCurve>(curve, i).divided(share)[3]).at;
+}
+
+double ParameterSurface::begin_of_rest(const Part& part, const Edge& edge, double at) {
+    return FileCurve(part, edge).begin_of_rest(at);
+}
 
 std::optional<ParameterCurve> ParameterSurface::curve_of(const Part& part, const Edge& edge) const {
     const auto is_along = [](Vec3 a, Vec3 b) { return norm(cross(a, b)) < kRounding; };
-    if (const auto* circle = std::get_if<Circle>(&edge.curve); circle && !patch_) {
+    if (const auto* circle = std::get_if<Circle>(&edge.curve); circle && !patch_ && !is_half_) {
         const bool is_parallel = is_along(circle->axis, frame_.axis);
         const Vec3 v = circle->centre - frame_.origin;
         const bool is_about = norm(v - dot(v, frame_.axis) * frame_.axis) < kRounding;
         if (is_parallel && (is_about || std::holds_alternative<Extrusion>(form_)))
             return std::nullopt;
     }
-    if (std::holds_alternative<Line>(edge.curve) && !patch_) return std::nullopt;
+    if (std::holds_alternative<Line>(edge.curve) && !patch_ && !is_half_) return std::nullopt;
     const FileCurve curve(part, edge);
     return Fitter(*this, curve).fit();
+}
+
+std::array<ParameterCurve, 2> divide_curve(const ParameterCurve& curve, const Part& part,
+                                           const Edge& edge, double at) {
+    const auto& k = curve.knots;
+    auto halves = divided_at(curve, k.front() + at * (k.back() - k.front()));
+    auto& rest = halves[1].knots;
+    const double shift = ParameterSurface::begin_of_rest(part, edge, at) - rest.front();
+    for (double& knot : rest)
+        knot += shift;
+    return halves;
 }
 
 }  // namespace ncsim::brep

@@ -200,9 +200,11 @@ private:
     Entity edge_loop(const brep::Loop& loop) {
         std::vector<Entity> oriented;
         for (const brep::EdgeUse& use : loop) {
-            const Entity of = edge(use.edge);
-            oriented.push_back(
-                add("ORIENTED_EDGE('',*,*,{},{})", {of, use.is_forward ? ".T." : ".F."}));
+            std::vector<Entity> edges = edges_of(use.edge);
+            if (!use.is_forward) std::ranges::reverse(edges);
+            for (const Entity of : edges)
+                oriented.push_back(
+                    add("ORIENTED_EDGE('',*,*,{},{})", {of, use.is_forward ? ".T." : ".F."}));
         }
         return add("EDGE_LOOP('',{})", {oriented});
     }

@@ -4,11 +4,14 @@
 #include "formats/step_geometry.h"
 
 #include "ncsim/base/angles.h"
+#include "ncsim/brep/divided_edge.h"
+#include "ncsim/brep/edge_deviation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 namespace ncsim::exporter {
@@ -73,32 +76,58 @@ std::vector<Entity> StepGeometry::points(const std::vector<Vec3>& places) {
     return made;
 }
 
-Entity StepGeometry::edge(std::uint32_t number) {
-    Entity& made = edges_[number];
-    if (made) return made;
+const std::vector<Entity>& StepGeometry::edges_of(std::uint32_t number) {
+    std::vector<Entity>& made = edges_[number];
+    if (!made.empty()) return made;
     const brep::Edge& e = part_.edges[number];
     const Vertex from = vertex(e.from);
     const Vertex to = vertex(e.to);
-    const Entity curve = with_parameters(curve_of(e, from), number);
-    made = add("EDGE_CURVE('',{},{},{},.T.)", {from.vertex, to.vertex, curve});
+    std::vector<OnSurface> whole, first, second;
+    whole.reserve(2);
+    brep::EdgeDeviation deviation(part_, e);
+    const auto& faces = faces_of_edge_[number];
+    for (const std::uint32_t f : faces) {
+        if (f == kNoFace || faces[0] == faces[1]) continue;
+        const Surface& on = parameters_of(f);
+        if (auto curve = on.parameters ? on.parameters->curve_of(part_, e) : std::nullopt) {
+            whole.push_back({on.entity, std::move(*curve)});
+            deviation.add(*on.parameters, whole.back().curve);
+        } else {
+            deviation.add(part_.faces[f].surface.form);
+        }
+    }
+    const auto farthest = deviation.unmeasured_maximum();
+    if (!farthest) {
+        made.push_back(add_edge(part_, e, whole, from, to));
+        return made;
+    }
+    const brep::EdgeHalves halves = brep::divide_edge(part_, e, *farthest);
+    for (const OnSurface& on : whole) {
+        auto curves = brep::divide_curve(on.curve, part_, e, *farthest);
+        first.push_back({on.surface, std::move(curves[0])});
+        second.push_back({on.surface, std::move(curves[1])});
+    }
+    brep::Part ends;
+    ends.vertices = {part_.vertices[e.from], halves.middle, part_.vertices[e.to]};
+    Vertex middle{point(halves.middle), {}};
+    middle.vertex = add("VERTEX_POINT('',{})", {middle.point});
+    made.push_back(add_edge(ends, {0, 1, halves.first}, first, from, middle));
+    made.push_back(add_edge(ends, {1, 2, halves.second}, second, middle, to));
     return made;
 }
 
-// Adds to a curve what it is in the parameters of its surfaces. Without these, readers project
+// Adds an edge with what it is in the parameters of its surfaces. Without these, readers project
 // the curve, and their Booleans find what they miss by.
-Entity StepGeometry::with_parameters(Entity curve, std::uint32_t number) {
-    const auto& faces = faces_of_edge_[number];
-    if (faces[0] == faces[1]) return curve;
-    std::vector<Entity> in_parameters;
-    for (const std::uint32_t f : faces) {
-        if (f == kNoFace) continue;
-        const Surface& on = parameters_of(f);
-        if (!on.parameters) continue;
-        const auto found = on.parameters->curve_of(part_, part_.edges[number]);
-        if (found) in_parameters.push_back(parameter_curve(on.entity, *found));
-    }
-    if (in_parameters.empty()) return curve;
-    return add("SURFACE_CURVE('',{},{},.CURVE_3D.)", {curve, in_parameters});
+Entity StepGeometry::add_edge(const brep::Part& part, const brep::Edge& edge,
+                              const std::vector<OnSurface>& in_parameters, const Vertex& from,
+                              const Vertex& to) {
+    Entity curve = curve_of(part, edge, from);
+    std::vector<Entity> curves;
+    curves.reserve(in_parameters.size());
+    for (const OnSurface& on : in_parameters)
+        curves.push_back(parameter_curve(on.surface, on.curve));
+    if (!curves.empty()) curve = add("SURFACE_CURVE('',{},{},.CURVE_3D.)", {curve, curves});
+    return add("EDGE_CURVE('',{},{},{},.T.)", {from.vertex, to.vertex, curve});
 }
 
 Entity StepGeometry::parameter_curve(Entity surface, const brep::ParameterCurve& curve) {
@@ -124,8 +153,8 @@ Entity StepGeometry::b_spline(const std::vector<Entity>& points, const std::vect
                {points, knots.multiplicities, knots.places});
 }
 
-Entity StepGeometry::curve_of(const brep::Edge& e, const Vertex& from) {
-    const Vec3 start = part_.vertices[e.from];
+Entity StepGeometry::curve_of(const brep::Part& part, const brep::Edge& e, const Vertex& from) {
+    const Vec3 start = part.vertices[e.from];
     if (const auto* const c = std::get_if<brep::Circle>(&e.curve)) {
         // The parameter of the circle is 0 at the start of the edge.
         const Vec3 out = start - c->centre;
@@ -138,7 +167,7 @@ Entity StepGeometry::curve_of(const brep::Edge& e, const Vertex& from) {
     }
     if (const auto* const c = std::get_if<brep::Spline>(&e.curve))
         return b_spline(points(c->points), c->knots);
-    const Vec3 along = normalized(part_.vertices[e.to] - start);
+    const Vec3 along = normalized(part.vertices[e.to] - start);
     const Entity vector = add("VECTOR('',{},1.)", {direction(along)});
     return add("LINE('',{},{})", {from.point, vector});
 }

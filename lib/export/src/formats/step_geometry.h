@@ -30,7 +30,9 @@ public:
     /// Returns a placement at `p`, a point or its entity, with the axes z and x.
     template <class Point>
     Entity placement(Point p, Vec3 z, Vec3 x);
-    Entity edge(std::uint32_t number);
+    /// Returns the edges that stand for an edge of the part in the file, in its direction: one, or
+    /// two that meet where the edge is farthest from its surfaces.
+    const std::vector<Entity>& edges_of(std::uint32_t number);
     /// Returns the surface of a face.
     Entity surface(std::uint32_t face) { return parameters_of(face).entity; }
 
@@ -48,10 +50,17 @@ private:
     Entity place(const brep::Frame& frame) { return placement(frame.origin, frame.axis, frame.x); }
     std::vector<Entity> points(const std::vector<Vec3>& places);
 
-    Entity with_parameters(Entity curve, std::uint32_t number);
+    // Curve of an edge in the parameters of a surface.
+    struct OnSurface {
+        Entity surface;
+        brep::ParameterCurve curve;
+    };
+    Entity add_edge(const brep::Part& part, const brep::Edge& edge,
+                    const std::vector<OnSurface>& in_parameters, const Vertex& from,
+                    const Vertex& to);
     Entity parameter_curve(Entity surface, const brep::ParameterCurve& curve);
     Entity b_spline(const std::vector<Entity>& points, const std::vector<double>& at);
-    Entity curve_of(const brep::Edge& e, const Vertex& from);
+    Entity curve_of(const brep::Part& part, const brep::Edge& e, const Vertex& from);
     Entity surface_of(const brep::Face& face);
     Entity half_circle(const brep::Extrusion& form, Vec3 middle);
     Entity patch_surface(const brep::Patch& patch);
@@ -59,7 +68,7 @@ private:
 
     const brep::Part& part_;
     std::vector<Vertex> vertices_;
-    std::vector<Entity> edges_;
+    std::vector<std::vector<Entity>> edges_;
     std::vector<Surface> surfaces_;                       // by face
     std::unordered_map<std::string, Entity> directions_;  // by their text
     static constexpr std::uint32_t kNoFace = ~std::uint32_t{0};

@@ -55,6 +55,7 @@ public:
     };
     Step step(double t) const;
     bool is_straight() const { return std::holds_alternative<Line>(*curve_); }
+    bool is_ellipse() const { return std::holds_alternative<Ellipse>(*curve_); }
     bool is_spline() const { return std::holds_alternative<Spline>(*curve_); }
     /// Null if the curve is no circle.
     const Circle* circle() const { return std::get_if<Circle>(curve_); }

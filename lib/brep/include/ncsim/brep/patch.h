@@ -24,7 +24,7 @@ inline bool is_spline_in_files(const Form& form) {
 ///   degrees beyond the face elsewhere.
 /// - For spirals, the wall to 4 degrees beyond the face and 5 % higher and lower, within 2e-9 of
 ///   the radius.
-/// - For envelopes, the surface around and along the path, a little beyond the face, within 1e-6 mm
+/// - For envelopes, the surface around and along the path, a little beyond the face, within 3e-8 mm
 ///   or as near as 400 knots in each direction allow.
 Patch patch_of(const Part& part, const Face& face);
 
