@@ -4,6 +4,7 @@
 // parameters of the surfaces, too.
 #include "ncsim/brep/parameter_curve.h"
 
+#include "ncsim/brep/divided_edge.h"
 #include "ncsim/brep/edge_deviation.h"
 #include "ncsim/brep/long_windings.h"
 #include "ncsim/brep/measure.h"
@@ -275,6 +276,37 @@ TEST(EdgeDeviation, HasNoVertexWhereReadersMeasure) {
 
 TEST(EdgeDeviation, HasNoVertexOnEdgesThatReadersTakeForExact) {
     EXPECT_FALSE(unmeasured_on_chord(-1e-4, 0.37e-4, 5.0 - 0.9e-7));
+}
+
+// Halves of an edge and of its curves in parameters are divided at the same place.
+TEST(DividedEdge, HasTheCurvesOfTheEdge) {
+    const Part& part = crossing_part().solid.part;
+    std::size_t curves = 0;
+    for_edges_of_faces(part, [&](const Face& face, const Edge& edge) {
+        if (!std::holds_alternative<Cylinder>(face.surface.form)) return;
+        const auto surface = ParameterSurface::of(part, face, nullptr);
+        const auto curve = surface->curve_of(part, edge);
+        if (!curve) return;
+        ++curves;
+        for (const double at : {0.123, 0.5, 0.98}) {
+            const EdgeHalves halves = divide_edge(part, edge, at);
+            const auto in_parameters = divide_curve(*curve, part, edge, at);
+            Part ends;
+            ends.vertices = {part.vertices[edge.from], halves.middle, part.vertices[edge.to]};
+            ends.edges = {{0, 1, halves.first}, {1, 2, halves.second}};
+            for (std::size_t i = 0; i < 2; ++i) {
+                const Edge& half = ends.edges[i];
+                const auto again = surface->curve_of(ends, half);
+                ASSERT_TRUE(again);
+                EXPECT_NEAR(in_parameters[i].knots.front(), again->knots.front(), 1e-9);
+                EXPECT_NEAR(in_parameters[i].knots.back(), again->knots.back(), 1e-9);
+                const Track track(half.curve, ends.vertices[half.from], ends.vertices[half.to]);
+                for (const double t : {0.0, 0.3, 0.8, 1.0})
+                    EXPECT_LT(norm(surface->point_on(in_parameters[i], t) - track.at(t)), 1.5e-7);
+            }
+        }
+    });
+    EXPECT_GE(curves, 8U);
 }
 
 // A circle in a file has its radius, also if its ends miss the circle.

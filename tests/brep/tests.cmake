@@ -70,7 +70,7 @@ function(ncsim_judge_parts name)
   add_test(NAME brep.write_${name} COMMAND ncsim_brep_random ${folder} ${parts})
   set_tests_properties(brep.write_${name} PROPERTIES FIXTURES_SETUP brep_${name})
   set(strictness)
-  if(name MATCHES "^slots")
+  if(name MATCHES "^slots|^lenses")
     list(APPEND strictness --fine)
   endif()
   if(name MATCHES "balls|rasters|booleans")
@@ -110,6 +110,8 @@ ncsim_judge_parts(slots_for_booleans --seeds 9611001 9611003 9611008 9611013 961
 # Edges whose largest distance from a surface is between the places that OpenCASCADE measures: of
 # walls that programs round, of envelopes, and of ramps whose floor is half of a circle in the file.
 ncsim_judge_parts(edges_for_booleans --seeds 1913002 1913016 4913016 4913017)
+# A face of a cone between an arc and a spline, 0.0085 mm wide, of which nothing was drawn.
+ncsim_judge_parts(lenses --seeds 7712002)
 # Tools and parts that lean on machines of all kinds, where many facets stay; the same as facets
 # alone. 3001006: a plane with a corner 2 µm inside of an arc of its own, of which nothing was drawn;
 # 3100001: a needle in a plane that it does not lie in, narrower than its corners are off the planes around it;

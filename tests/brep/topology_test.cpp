@@ -427,6 +427,34 @@ TEST(Crossings, OfALineAndItsReverse) {
         << "not higher than the lift";
 }
 
+// A face between an arc of radius 100 and a line or another arc. Its width is 0.02 or 0.5 mm.
+TEST(SplitEdgesOfLenses, HalvesTheArcsOfNarrowFacesOnly) {
+    for (const double width : {0.02, 0.5}) {
+        const double half = std::sqrt(100.0 * 100.0 - (100.0 - width) * (100.0 - width));
+        Part part;
+        part.vertices = {{-half, 100.0 - width, 0}, {half, 100.0 - width, 0}};
+        const Edge arc{1, 0, Circle{{}, kUp, 100.0}};
+        const Edge below{0, 1, Circle{{0, 200.0 - 2.0 * width, 0}, kUp, 100.0}};
+        part.edges = {{0, 1, Line{}}, arc, below};
+        Face segment, lens;
+        segment.surface.form = lens.surface.form = Plane{{}, kUp};
+        segment.loops = {{{0, true}, {1, true}}};
+        lens.loops = {{{1, true}, {2, true}}};
+        part.faces = {segment};
+        split_edges_of_lenses(part);
+        const bool is_narrow = width < 0.1;
+        ASSERT_EQ(part.faces[0].loops[0].size(), is_narrow ? 3U : 2U) << "lines stay";
+        if (is_narrow) {
+            EXPECT_NEAR(part.vertices.back().y, 100.0, 1e-9);
+        }
+        part.vertices.resize(2);
+        part.edges = {{0, 1, Line{}}, arc, below};
+        part.faces = {lens};
+        split_edges_of_lenses(part);
+        EXPECT_EQ(part.faces[0].loops[0].size(), is_narrow ? 4U : 2U);
+    }
+}
+
 // --- Edges and circles ---
 
 TEST(SplitEdge, HalvesLieOnTheCurve) {

@@ -152,4 +152,21 @@ void split_wide_edges(Part& part) {
     }
 }
 
+void split_edges_of_lenses(Part& part) {
+    EdgeSplitter halving(part);
+    for (const Face& face : part.faces) {
+        if (face.loops.size() != 1 || face.loops.front().size() != 2) continue;
+        const std::uint32_t one = face.loops[0][0].edge, other = face.loops[0][1].edge;
+        if (one == other || part.edges[one].from == part.edges[one].to) continue;
+        const auto middle = [&](std::uint32_t e) {
+            const Edge& edge = part.edges[e];
+            return Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]).at(0.5);
+        };
+        if (norm(middle(one) - middle(other)) > 100.0 * kLeastSizeMm) continue;
+        halving.divide(one, 0.5);
+        halving.divide(other, 0.5);
+    }
+    halving.finish();
+}
+
 }  // namespace ncsim::brep

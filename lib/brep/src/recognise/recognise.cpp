@@ -513,6 +513,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, SweptSurf
     }
     split_pinched_faces(result.part);
     split_wide_edges(result.part);
+    split_edges_of_lenses(result.part);
     split_faces_at_tangent_holes(result.part);
     split_cones_at_base_circle(result.part);
     split_arcs_near_corners(result.part);
