@@ -52,7 +52,8 @@ std::optional<double> EdgeDeviation::unmeasured_maximum() const {
     if (most.mm <= (1.0 + 0.5 * kParallelAngle) * std::max(measured.mm, kReaderMm))
         return std::nullopt;
     const Vec3 p = track_.at(most.t);
-    const bool is_at_end = norm(p - track_.at(0.0)) < kFlat || norm(p - track_.at(1.0)) < kFlat;
+    const double least = std::max(kFlat, 4.0 * most.mm);
+    const bool is_at_end = norm(p - track_.at(0.0)) < least || norm(p - track_.at(1.0)) < least;
     return is_at_end ? std::nullopt : std::optional(most.t);
 }
 

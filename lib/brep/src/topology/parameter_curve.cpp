@@ -318,8 +318,7 @@ private:
         const Node from = nodes_.back();
         const double width = t - from.t;
         const auto to = node_at(t, from.t, from.at + width * from.slope);
-        // A last piece may be as far off as readers accept curves.
-        if (to && is_near(from, *to, halvings == 0 ? 10.0 * kPointError : 0.0)) {
+        if (to && is_near(from, *to)) {
             nodes_.push_back(*to);
             return true;
         }
@@ -327,11 +326,9 @@ private:
                add_piece(t, halvings - 1);
     }
 
-    // Is the curve between two nodes within `most` mm, or nearly as near as the edge itself?
-    bool is_near(const Node& from, const Node& to, double most) {
+    // Is the curve between two nodes nearly as near as the edge itself?
+    bool is_near(const Node& from, const Node& to) {
         const double width = to.t - from.t;
-        // Readers measure edges at a few places, and doubt what is farther off between them.
-        const double slack = surface_.patch_ ? 1.5 : 1.0001;
         return std::ranges::all_of(std::array{0.2, 0.4, 0.6, 0.8}, [&](double s) {
             const double r = 1.0 - s;
             const Place at = r * r * (1.0 + 2.0 * s) * from.at + s * r * r * width * from.slope +
@@ -343,7 +340,8 @@ private:
             const auto nearest = surface_.place(p, at);
             if (!nearest) return false;
             const double least = norm(surface_.point(*nearest).at - p);
-            if (away > std::max(most, slack * least + 0.3 * kReaderMm)) return false;
+            if (away > (surface_.patch_ ? 1.5 * least : 1.0001 * least + 0.3 * kReaderMm))
+                return false;
             miss_mm_ = std::max(miss_mm_, away);
             return true;
         });

@@ -32,8 +32,8 @@ public:
     double at(double t) const;
 
     /// Returns the place of the largest distance, 0 to 1, if readers do not measure it: if it is
-    /// more than 1e-7 mm, larger than the distance at each measured place, and at least 1e-4 mm
-    /// from both ends of the edge.
+    /// more than 1e-7 mm, larger than the distance at each measured place, and at least 1e-4 mm and
+    /// four times that distance from both ends of the edge.
     /// Cost: at most 23 distances from forms for an edge on its surfaces, otherwise some hundred
     /// evaluations of at().
     std::optional<double> unmeasured_maximum() const;

@@ -37,12 +37,12 @@ public:
     static std::optional<ParameterSurface> of(const Part& part, const Face& face,
                                               std::shared_ptr<const Patch> patch);
 
-    /// Returns the curve of an edge: within 7e-8 mm of the edge, or 3e-8 mm more than 1.0001 times
-    /// (on patches 1.5 times) the distance of the edge from the surface; within 1e-5 mm near a
-    /// corner in which parameter lines touch. Nothing if the edge is a parameter line that readers
-    /// find without error (lines on cylinders and cones, circles about the axis), if it touches a
-    /// pole or an apex, if it is off the surface by more than programs round (2e-6 mm on cones,
-    /// 1e-5 mm on patches), or if no curve is as near as that.
+    /// Returns the curve of an edge: within 7e-8 mm of the edge, within 3e-8 mm more than 1.0001
+    /// times the distance of the edge from the surface, or, on patches, within 1.5 times that
+    /// distance. Nothing if the edge is a parameter line that readers find without error (lines on
+    /// cylinders and cones, circles about the axis), if it touches a pole or an apex, if it is off
+    /// the surface by more than programs round (2e-6 mm on cones, 1e-5 mm on patches), or if no
+    /// curve is as near as that.
     std::optional<ParameterCurve> curve_of(const Part& part, const Edge& edge) const;
 
     /// Returns the point of the surface at `t` of a curve of it, 0 to 1 of the curve's parameter.
