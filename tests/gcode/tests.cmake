@@ -17,6 +17,7 @@ ncsim_add_test(gcode
     file_programs_test.cpp
     formula_values_test.cpp
     head_modes_test.cpp
+    jump_targets_test.cpp
     klartext_plane_test.cpp
     klartext_approach_test.cpp
     klartext_cycles_test.cpp
