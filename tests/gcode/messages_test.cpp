@@ -249,6 +249,10 @@ const std::vector<Case>& cases() {
         {By::Mach3, kStart + "G2 X1 J20000",
          "2:1: warning: this G2 has a radius of 20000 and, as written, goes nearly all around; "
          "moved the short way to its end [arc-long-way]"},
+        {By::Fanuc, kStart + "#1=4~G1 X#1/2 M8",
+         "3:4: warning: the / in this word is read as a division, Fanuc and Haas read block "
+         "delete; "
+         "write brackets, as in X[#1/2], or a blank before the / [slash-after-value]"},
         {By::Mach3, kStart + "G41.1 D6~G1 X2",
          "3:1: warning: the first move with cutter compensation is not longer than the cutter "
          "radius; read as Fanuc and Haas begin, LinuxCNC refuses it [compensation-entry]"},

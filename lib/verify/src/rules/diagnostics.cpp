@@ -75,6 +75,7 @@ std::string_view doubt_of_diagnostic(std::string_view code) {
         {"centre-outside-plane", "reading-guess"},
         {"arc-turns", "reading-guess"},
         {"arc-long-way", "reading-guess"},
+        {"slash-after-value", "reading-guess"},
         {"forbidden-with-compensation", "reading-guess"},
         {"compensation-entry", "reading-guess"},
         {"arc-spiral", "reading-guess"},
