@@ -35,6 +35,7 @@ ncsim_add_test(gcode
     modes_left_on_test.cpp
     parser_test.cpp
     path_cycles_test.cpp
+    polar_words_test.cpp
     program_stages_test.cpp
     program_text_test.cpp
     redundant_words_test.cpp

@@ -176,8 +176,8 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         group = Group::ToolLength;
     if (code == Code::G234 && knows_joints_) group = Group::ToolLength;
     if (group == Group::Ignored) {
-        command.has_others = true;  // The code may have words.
-        return true;
+        command.has_others = true;                             // The code may have words.
+        return entry_of(code).takes_axes ? put(group) : true;  // X Y Z of G22 are limits.
     }
     const Code other = command.group(group);
     if (group == Group::Motion && other != Code::None &&
@@ -250,7 +250,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
     command.has_angle = false;
     command.has_m = false;
     command.mist_and_flood = false;
-    bool takes_e = false;
+    bool takes_e = false;  // E is a port of M66 to M68, or the tolerance of G187.
     command.clamps.clear();
     command.has_others = false;
     unknown_g_ = false;
@@ -267,12 +267,13 @@ bool Resolver::resolve(const Block& block, Command& command) {
             return false;
         }
         if (word.letter == 'G') {
+            takes_e = takes_e || value == 187.0;  // Smoothness.
             if (!take_g(block, word, value, command)) return false;
             continue;
         }
         if (word.letter == 'M') {
             command.has_m = true;
-            takes_e = takes_e || value == 66.0 || value == 67.0 || value == 68.0;  // Analog ports.
+            takes_e = takes_e || value == 66.0 || value == 67.0 || value == 68.0;
             if (!take_m(word, value, command)) return false;
             continue;
         }
