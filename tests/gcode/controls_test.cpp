@@ -89,6 +89,32 @@ TEST(Controls, RTakesPrecedenceOverTheCentreOnFanucAlone) {
         EXPECT_TRUE(run_body(arc, dialect).says("arc-two-forms"));
 }
 
+// --- ROUND --------------------------------------------------------------------------------------
+
+TEST(Controls, RoundInAWordRoundsToTheLeastIncrementOnFanucAndHaas) {
+    const auto x_of = [](const std::string& body, Dialect dialect) {
+        InterpreterOptions options;
+        options.dialect = dialect;
+        double x = -1.0;
+        interpret({"t.nc", kHead + "G0 X0 Y0 Z0\n" + body + "\nM30\n"}, options,
+                  [&](const Motion& motion) {
+                      if (const Position* end = end_of(motion)) x = end->x.mm();
+                  });
+        return x;
+    };
+    for (const Dialect dialect : {Dialect::Fanuc, Dialect::Haas}) {
+        EXPECT_NEAR(x_of("#1=1.23456\nG1 X[ROUND[#1]]", dialect), 1.235, 1e-12);
+        EXPECT_NEAR(x_of("#1=1.23456\nG1 X[ROUND[#1]*2]", dialect), 2.47, 1e-12);
+        EXPECT_NEAR(x_of("G20\n#1=1.23456\nG1 X-ROUND[#1]", dialect), -1.2346 * 25.4, 1e-9);
+        // In an assignment and in a condition, and in words of whole numbers: to whole numbers.
+        EXPECT_EQ(x_of("#1=ROUND[1.6]\nG1 X#1", dialect), 2.0);
+        EXPECT_EQ(x_of("IF [ROUND[1.6] EQ 2] GOTO 5\nG1 X7\nN5 G1 Y1", dialect), 0.0);
+        EXPECT_EQ(x_of("G ROUND[0.6] X1", dialect), 1.0);
+    }
+    for (const Dialect dialect : {Dialect::Rs274, Dialect::Mach3, Dialect::Auto})
+        EXPECT_EQ(x_of("#1=1.6\nG1 X[ROUND[#1]]", dialect), 2.0);
+}
+
 // --- Cycles under G51, limits of G22 -------------------------------------------------------------
 
 TEST(Controls, G51ScalesTheHeightsOfCyclesExceptOnHaas) {
