@@ -307,6 +307,26 @@ TEST(Readings, ThatFailAreNamed) {
     EXPECT_EQ(verdict_of(folder, {"slot.nc"})["verdict"], "clean");
 }
 
+// "/1" is the retract, "/2" the traverse at the height of the cut: switch 1 alone is a collision.
+TEST(Readings, OfSeveralSwitchesOfBlockDelete) {
+    Folder folder;
+    const auto program = [](const std::string& first, const std::string& second) {
+        return replaced(kSlot, "G0 Z5.\nM30",
+                        first + "G0 Z5.\n" + second + "G0 X0 Y10\nG0 Z20\nM30");
+    };
+    // One switch for both: neither reading collides.
+    folder.write("one.nc", program("/", "/1"));
+    EXPECT_EQ(verdict_of(folder, {"one.nc"})["verdict"], "clean");
+    for (const char* const second : {"/2", "/ 2 ", "/2/3"}) {
+        folder.write("two.nc", program("/1", second));
+        const json two = verdict_of(folder, {"two.nc"});
+        EXPECT_EQ(open_doubts(two), std::set<std::string>{"block-delete"}) << second;
+        ASSERT_FALSE(two["doubts"].empty());
+        EXPECT_TRUE(contains(two["doubts"][0]["message"], "/1")) << two.dump(1);
+    }
+    EXPECT_EQ(verdict_of(folder, {"two.nc", "--block-delete", "on"})["verdict"], "clean");
+}
+
 // --- Values of the control ---------------------------------------------------------------------
 
 TEST(Variables, AreSpecifiedByTheJobOrTheCommandLine) {

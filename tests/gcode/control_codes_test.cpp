@@ -32,6 +32,8 @@ TEST(ControlCodes, OfGrblHaveNeitherCyclesNorVariables) {
               "G81 2:1 x2, M7? 4:1 x1, M6 5:1 x1");
     EXPECT_EQ(lacking("grbl", "#1=5\nG1 X#1\nG1 X[1+2]\n/G1 X5\n"),
               "variables 1:1 x2, expressions 3:4 x1, lines that begin with '/' 4:1 x1");
+    EXPECT_EQ(lacking("linuxcnc", "/G1 X5\nG1 X5 /M8\n"), "'/' within a line 2:7 x1");
+    EXPECT_EQ(lacking("haas", "/G1 X5\nG1 X5 /M8\n"), "");
     EXPECT_EQ(lacking("grbl", "o1 sub\no1 endsub\n"), "O-words (sub, if, while) 1:1 x2");
     EXPECT_EQ(lacking("grbl", "G59.1\nG38.3 Z-1\n"), "G59.1 1:1 x1");
     EXPECT_EQ(lacking("grbl", "(G81 M6)\nG1 X1 ; G41\n"), "") << "comments";

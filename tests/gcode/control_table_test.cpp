@@ -39,6 +39,7 @@ constexpr struct {
     {kArcsByRadius, "arcs by R"},
     {kCornerWords, ",R and ,C"},
     {kBlockDelete, "/ at line starts"},
+    {kSkippedRest, "/ within lines"},
 };
 
 const char* mark_of(CodeSupport support) {

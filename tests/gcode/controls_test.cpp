@@ -69,6 +69,133 @@ void expect_path(const std::string& body, Dialect dialect, const std::string& pa
     EXPECT_FALSE(has_errors(made.result.diagnostics));
 }
 
+// --- Arcs ---------------------------------------------------------------------------------------
+
+TEST(Controls, RTakesPrecedenceOverTheCentreOnFanucAlone) {
+    const std::string arc = "G0 X0 Y0 Z0\nG2 X10 Y0 I5 J0 R8\nG1 X0\n";
+    const auto turned = [&](Dialect dialect) {
+        InterpreterOptions options;
+        options.dialect = dialect;
+        double second = 0.0;
+        interpret({"t.nc", kHead + arc + "M30\n"}, options, [&](const Motion& motion) {
+            if (const auto* found = std::get_if<Arc>(&motion.action)) second = found->centre_2.mm();
+        });
+        return second;
+    };
+    EXPECT_NEAR(turned(Dialect::Fanuc), -std::sqrt(39.0), 1e-6);
+    for (const Dialect dialect : {Dialect::Haas, Dialect::Mach3, Dialect::Auto})
+        EXPECT_EQ(turned(dialect), 0.0);
+    for (const Dialect dialect : {Dialect::Fanuc, Dialect::Haas, Dialect::Mach3})
+        EXPECT_TRUE(run_body(arc, dialect).says("arc-two-forms"));
+}
+
+// --- ROUND --------------------------------------------------------------------------------------
+
+TEST(Controls, RoundInAWordRoundsToTheLeastIncrementOnFanucAndHaas) {
+    const auto x_of = [](const std::string& body, Dialect dialect) {
+        InterpreterOptions options;
+        options.dialect = dialect;
+        double x = -1.0;
+        interpret({"t.nc", kHead + "G0 X0 Y0 Z0\n" + body + "\nM30\n"}, options,
+                  [&](const Motion& motion) {
+                      if (const Position* end = end_of(motion)) x = end->x.mm();
+                  });
+        return x;
+    };
+    for (const Dialect dialect : {Dialect::Fanuc, Dialect::Haas}) {
+        EXPECT_NEAR(x_of("#1=1.23456\nG1 X[ROUND[#1]]", dialect), 1.235, 1e-12);
+        EXPECT_NEAR(x_of("#1=1.23456\nG1 X[ROUND[#1]*2]", dialect), 2.47, 1e-12);
+        EXPECT_NEAR(x_of("G20\n#1=1.23456\nG1 X-ROUND[#1]", dialect), -1.2346 * 25.4, 1e-9);
+        // In an assignment and in a condition, and in words of whole numbers: to whole numbers.
+        EXPECT_EQ(x_of("#1=ROUND[1.6]\nG1 X#1", dialect), 2.0);
+        EXPECT_EQ(x_of("IF [ROUND[1.6] EQ 2] GOTO 5\nG1 X7\nN5 G1 Y1", dialect), 0.0);
+        EXPECT_EQ(x_of("G ROUND[0.6] X1", dialect), 1.0);
+    }
+    for (const Dialect dialect : {Dialect::Rs274, Dialect::Mach3, Dialect::Auto})
+        EXPECT_EQ(x_of("#1=1.6\nG1 X[ROUND[#1]]", dialect), 2.0);
+}
+
+// --- Cycles under G51, limits of G22 -------------------------------------------------------------
+
+TEST(Controls, G51ScalesTheHeightsOfCyclesExceptOnHaas) {
+    // Factor 2 about Z1: R2 is at Z3, and Z-4 at Z-9. The plane alone does not change the heights.
+    const std::string cycle = "G81 X1 Z-4 R2\nG80\nG50\n";
+    const std::string before = "G0 X0 Y0 Z20\n";
+    const std::string scaled = before + "G51 X0 Y0 Z1 P2000\n" + cycle;
+    for (const Dialect dialect : {Dialect::Fanuc, Dialect::Mach3}) {
+        const Made made = run_body(scaled, dialect);
+        EXPECT_NE(made.path.find("G0 2 0 3\nG1 2 0 -9\n"), std::string::npos) << made.path;
+        EXPECT_TRUE(made.says("cycle-scaled"));
+    }
+    const Made haas = run_body(scaled, Dialect::Haas);
+    EXPECT_NE(haas.path.find("G0 2 0 2\nG1 2 0 -4\n"), std::string::npos) << haas.path;
+    EXPECT_TRUE(haas.says("cycle-scaled"));
+    const Made plane = run_body(before + "G51 X0 Y0 I2000 J2000 K1000\n" + cycle, Dialect::Fanuc);
+    EXPECT_NE(plane.path.find("G0 2 0 2\nG1 2 0 -4\n"), std::string::npos) << plane.path;
+    EXPECT_FALSE(plane.says("cycle-scaled"));
+}
+
+TEST(Controls, LimitsOfG22MoveNothing) {
+    for (const std::string mode : {"G0", "G1", "G2 X5 R9", "G81 X1 Z-1 R1"}) {
+        const std::string before = "G0 X0 Y0 Z5\n" + mode + "\n";
+        const std::string after = "G80\nG1 X3\n";
+        const Made with =
+            run_body(before + "G22 X100 Y100 Z50 I-100 J-100 K-50\n" + after, Dialect::Fanuc);
+        EXPECT_EQ(with.path, run_body(before + after, Dialect::Fanuc).path) << mode;
+        EXPECT_FALSE(has_errors(with.result.diagnostics)) << mode;
+    }
+}
+
+// --- Spindle -----------------------------------------------------------------------------------
+
+TEST(Controls, TapsTurnTheSpindleThemselvesOutsideLinuxCnc) {
+    constexpr auto kRight = SpindleTurning::Clockwise;
+    constexpr auto kLeft = SpindleTurning::Counterclockwise;
+    for (const Dialect dialect : {Dialect::Auto, Dialect::Rs274, Dialect::Fanuc, Dialect::Haas}) {
+        for (const bool is_right : {true, false}) {
+            for (const std::string before : {"M5\n", "M5\nM29 S100\n", "M5\nS100\n"}) {
+                const std::string text = kHead + "G0 X0 Y0 Z5\n" + before +
+                                         (is_right ? "G84" : "G74") +
+                                         " X1 Z-5 R1 F100\nX2\nG80\nG1 X3\nM30\n";
+                SCOPED_TRACE(std::string(name_of(dialect)) + "\n" + text);
+                std::vector<SpindleTurning> found;
+                InterpreterOptions options;
+                options.dialect = dialect;
+                interpret({"t.nc", text}, options, [&](const Motion& motion) {
+                    if (end_of(motion) && motion.kind == MoveKind::Feed)
+                        found.push_back(motion.spindle);
+                });
+                const SpindleTurning way_in = dialect == Dialect::Rs274 ? SpindleTurning::Stopped
+                                              : is_right                ? kRight
+                                                                        : kLeft;
+                const SpindleTurning way_out = is_right ? kLeft : kRight;
+                EXPECT_EQ(found,
+                          (std::vector{way_in, way_out, way_in, way_out, SpindleTurning::Stopped}));
+            }
+        }
+    }
+}
+
+TEST(Controls, TapsOfHaasTurnAsTheCycleSays) {
+    for (const std::string before : {"M3\n", "M4\n", "M5\n"}) {
+        for (const std::string code : {"G84", "G74"}) {
+            std::vector<SpindleTurning> found;
+            InterpreterOptions options;
+            options.dialect = Dialect::Haas;
+            const std::string text =
+                kHead + "G0 X0 Y0 Z5\n" + before + code + " X1 Z-5 R1 F100\nM30\n";
+            interpret({"t.nc", text}, options, [&](const Motion& motion) {
+                if (end_of(motion) && motion.kind == MoveKind::Feed)
+                    found.push_back(motion.spindle);
+            });
+            std::vector<SpindleTurning> expected{SpindleTurning::Clockwise,
+                                                 SpindleTurning::Counterclockwise};
+            if (code == "G74") std::ranges::reverse(expected);
+            EXPECT_EQ(found, expected) << text;
+        }
+    }
+}
+
 // --- Cutter compensation -----------------------------------------------------------------------
 
 TEST(Controls, CancelAloneMovesBothAxesOnLinuxCncAndWaitsOnFanuc) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs of samples, tests/programs and tests/verdicts with a deleted block between two lines:
-// with block delete the block is the same as a blank line, whatever it contains.
+// Programs of samples, tests/programs and tests/verdicts with a deleted block between two lines, or
+// a '/' between two words: with block delete the deleted text has no effect, whatever it contains.
 #include "ncsim/gcode/executed_text.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/print.h"
@@ -10,10 +10,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <random>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace ncsim::gcode::deleted_lines_test {
@@ -119,10 +123,10 @@ std::vector<std::string> deleted_blocks(Language language) {
 }
 
 /// Returns what interpret() makes of `text`: motions with their lines, and diagnostics.
-std::string outcome(const Program& program, const std::string& text) {
+std::string outcome(const Program& program, const std::string& text, bool block_delete = true) {
     std::string out;
     InterpreterOptions options = program.options;
-    options.block_delete = true;
+    options.block_delete = block_delete;
     const Interpretation result =
         interpret({program.file.name, text}, options, [&](const Motion& motion) {
             print(out, motion);
@@ -194,6 +198,96 @@ TEST(DeletedLines, AreNoPartOfWhatContinuesInTheNextLine) {
          "Q201=-5\nQ206=9\nQ202=5\nQ203=0\nQ204=5\nL X+5 M99\nEND PGM A MM\n");
 }
 
+/// Returns the places in `line`, a block of G-code, where a word begins behind another word.
+std::vector<std::size_t> places_between_words(const std::string& line) {
+    std::vector<std::size_t> places;
+    // Lines with operations, control words, slashes and text for other devices.
+    if (line.find_first_of("=oO:%$/*") != std::string::npos || line.find("IF") != std::string::npos)
+        return places;
+    const std::size_t end = std::min(line.find_first_of("(;"), line.size());
+    int depth = 0;
+    std::size_t words = 0;
+    for (std::size_t at = 0; at < end; ++at) {
+        if (line[at] == '[') ++depth;
+        if (line[at] == ']') --depth;
+        const bool is_letter = std::isalpha(static_cast<unsigned char>(line[at])) != 0;
+        const bool continues =
+            at > 0 &&
+            (std::isalpha(static_cast<unsigned char>(line[at - 1])) != 0 || line[at - 1] == ',');
+        if (depth > 0 || !is_letter || continues) continue;
+        if (words++ > 0) places.push_back(at);
+    }
+    return places;
+}
+
+/// A slash between two words: block delete skips the rest of the block, and the block without
+/// block delete is the same as without the slash.
+TEST(DeletedLines, ASlashBetweenWordsSkipsTheRestOfTheBlock) {
+    constexpr std::size_t kMostPlaces = 12;
+    const std::array<std::string, 6> slashes = {" /", " /2", " / ", " /9 ", " /1/3", " /7/ "};
+    std::mt19937 random(20261201);
+    std::size_t count = 0;
+    std::vector<Program> programs = all_programs();
+    for (Program& program : programs) {
+        if (language_of(program.file) != Language::GCode || program.options.strict) continue;
+        // A slash may hide a sign of the dialect.
+        if (program.options.dialect == Dialect::Auto)
+            program.options.dialect = detect_dialect(program.file).dialect;
+        const std::vector<std::string> lines = lines_of(program.file.text);
+        if (lines.empty()) continue;
+        for (std::size_t i = 0; i < kMostPlaces; ++i) {
+            const std::size_t at = random() % lines.size();
+            const std::vector<std::size_t> places = places_between_words(lines[at]);
+            if (places.empty()) continue;
+            const std::size_t place = places[random() % places.size()];
+            const auto text_with = [&](const std::string& line) {
+                std::vector<std::string> other = lines;
+                other[at] = line;
+                return joined(other, other.size(), "");
+            };
+            const std::string kept = lines[at].substr(0, place);
+            const std::string rest = lines[at].substr(place);
+            const std::string slash = slashes[random() % slashes.size()];
+            ++count;
+            EXPECT_EQ(outcome(program, text_with(kept + slash + rest)),
+                      outcome(program, text_with(kept)))
+                << program.file.name << ':' << at + 1 << ": " << kept + slash + rest;
+            EXPECT_EQ(outcome(program, text_with(kept + slash + rest), false),
+                      outcome(program, text_with(lines[at]), false))
+                << program.file.name << ':' << at + 1 << ": " << kept + slash + rest;
+        }
+    }
+    EXPECT_GT(count, 500U);
+}
+
+/// A division is no block delete, and a slash where a control accepts none is an error.
+TEST(DeletedLines, DivisionsAreNoBlockDelete) {
+    const auto end_of = [](const std::string& name, const std::string& text, bool block_delete) {
+        InterpreterOptions options;
+        options.block_delete = block_delete;
+        double x = -1.0;
+        const Interpretation result = interpret({name, text}, options, [&](const Motion& motion) {
+            if (const auto* line = std::get_if<Linear>(&motion.action)) x = line->to.x.mm();
+        });
+        return has_errors(result.diagnostics) ? -2.0 : x;
+    };
+    for (const bool block_delete : {false, true}) {
+        for (const char* const text :
+             {"O1\n#1=6.\n#1=#1/2\nG0 X#1\nM30\n", "O1\n#1=6.\nG0 X[#1/2]\nM30\n",
+              "O1\n#1=6.\nIF [#1/2 EQ 3] THEN #1=#1/2\nG0 X#1 /2M8\nM30\n",
+              "O1\n#2=6.\nG0 X[#2 / [1 + 1]] / M8\nM30\n"}) {
+            EXPECT_EQ(end_of("a.nc", text, block_delete), 3.0) << text;
+        }
+        EXPECT_EQ(end_of("a.mpf", "R1=6\nR1=R1/2\nG0 X=R1/1\nM30\n", block_delete), 3.0);
+        EXPECT_EQ(end_of("a.mpf", "G0 X1\nG0 X3 /Y5\nM30\n", block_delete), -2.0);
+        const std::string head = "BEGIN PGM A MM\nTOOL CALL 1 Z S100\n";
+        EXPECT_EQ(end_of("a.h", head + "Q1 = 6\nQ1 = Q1 / 2\nL X+Q1 R0 FMAX\nEND PGM A MM\n",
+                         block_delete),
+                  3.0);
+        EXPECT_EQ(end_of("a.h", head + "L X+1 / Y+2 R0 FMAX\nEND PGM A MM\n", block_delete), -2.0);
+    }
+}
+
 TEST(DeletedLines, KeepNumbersAndLabelsForJumps) {
     const auto text_of = [](const std::string& text, Language language, bool strict = false) {
         SourceFile file{"a", text};
@@ -204,7 +298,8 @@ TEST(DeletedLines, KeepNumbersAndLabelsForJumps) {
               " N10   \r\nN20   \n    n 30         \n#1=4/2\n");
     EXPECT_EQ(text_of("\xEF\xBB\xBF/G0\rG1\r/(open", Language::GCode, true),
               "\xEF\xBB\xBF   \rG1\r      ");
-    EXPECT_EQ(text_of("G1 X1 /Y1 ?\n", Language::GCode), "           \n");
+    EXPECT_EQ(text_of("N1 G1 X1 /2 Y1 ?\n (a) /G1 /X1\n", Language::GCode),
+              "N1 G1 X1        \n (a)        \n");
     EXPECT_EQ(text_of("/N10 A: G0 ;c\nN20 /1 B:G1\nR1=4/2 ; /\n", Language::Sinumerik),
               " N10 A:      \nN20    B:  \nR1=4/2 ; /\n");
     EXPECT_EQ(text_of("1 / CYCL DEF 200 ~\n Q200=2\n2 L X+1 ; /\n* / a\n", Language::Klartext),

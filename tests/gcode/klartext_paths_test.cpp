@@ -187,5 +187,65 @@ TEST(Klartext, PlaneNeedsAMachine) {
     EXPECT_TRUE(run(klartext("PLANE SPATIAL SPA+0 SPB+45 SPC+0 STAY")).says("kinematics"));
 }
 
+// --- Words that a block does not take -----------------------------------------------------------
+
+/// Each verb with a complete block, and the words that it takes besides.
+struct VerbWords {
+    const char* block;
+    const char* words;  // Separated by blanks.
+};
+
+/// A word that a verb does not take, and a word that stands twice, is refused with its place.
+TEST(Klartext, WordsThatAVerbDoesNotTakeAreRefused) {
+    const VerbWords verbs[] = {
+        {"L Z+50", "X+1 Y+2 IX+1"},
+        {"LP PR+10", "PA+20 IPA+20 Z+5"},
+        {"C X+0 Y+20", "Z+5 DR+ DR-"},
+        {"CP PA+90", "Z+5 DR+ DR-"},
+        {"CR X+0 Y+20 R+20", "Z+5 DR+ DR-"},
+        {"CT X+0 Y+20", "Z+5"},
+        {"CTP PR+20", "PA+20 IPA+20 Z+5"},
+        {"RND R2", ""},
+        {"CHF 2", ""},
+    };
+    const std::string all[] = {"X+1", "Y+2", "IX+1", "PR+7", "IPR+7", "PA+20", "IPA+20",
+                               "R+5", "DR+", "DR-",  "LEN5", "CCA90", "Z+5"};
+    const std::string before = "L X+30 F100\nCC X+0 Y+0\nL X+20 Y+0\n";
+    std::size_t refused = 0;
+    for (const VerbWords& verb : verbs) {
+        const std::string taken = " " + std::string(verb.words) + " ";
+        for (const std::string& word : all) {
+            const std::string block = std::string(verb.block) + " " + word;
+            const Made made = run(klartext(before + block + "\nL Y+40\nL X+0"));
+            if (taken.find(" " + word + " ") != std::string::npos) {
+                EXPECT_FALSE(made.says("klartext-word")) << block << '\n' << made.errors();
+                continue;
+            }
+            ++refused;
+            EXPECT_TRUE(made.says("klartext-word")) << block << '\n' << made.errors();
+            EXPECT_TRUE(made.result.refused || made.result.stopped) << block;
+        }
+    }
+    EXPECT_GT(refused, 80U);
+}
+
+TEST(Klartext, WordsStandOnceInABlock) {
+    for (const std::string block :
+         {"L X+3 X+4", "L X+3 IX+4", "L X+3 RL R0", "L X+3 R0 R0", "LP PR+3 PA+3 PR+4",
+          "CP PA+90 IPA+30 DR+", "C X+0 Y+20 DR+ DR-", "CR X+0 Y+20 R+20 R+30 DR+"}) {
+        const Made made = run(klartext("CC X+0 Y+0\nL X+20 Y+0 F100\n" + block));
+        EXPECT_TRUE(made.says("klartext-word")) << block << '\n' << made.errors();
+    }
+    // F of M128 is no feed of the path; several M codes are in order.
+    for (const std::string block : {"L X+3 F100 M103 F20", "L X+3 FMAX M3 M8"})
+        EXPECT_EQ(run(klartext(block)).errors(), "") << block;
+    expect_refused("C X+0 Y+20 PA+90 DR+",
+                   "4:12: 'PA+90' is no word of this block; the program is "
+                   "stopped here [klartext-word]");
+    expect_refused("CC X+0 Y+0\nLP X+10 PA+20",
+                   "5:4: 'X' is no word of this block; the program is stopped here "
+                   "[klartext-word]");
+}
+
 }  // namespace
 }  // namespace ncsim::gcode::klartext_test

@@ -239,6 +239,8 @@ const std::vector<Case>& cases() {
         // Arcs and curves
         {By::Default, kStart + "G2 X10 I5 R5",
          "2:11: warning: G2 has a centre and a radius; the centre counts [arc-two-forms]"},
+        {By::Fanuc, kStart + "G2 X10 I9 R5",
+         "2:11: warning: G2 has a centre and a radius; the radius counts [arc-two-forms]"},
         {By::Default, kStart + "G2 X10 I5 P0.5",
          "2:11: warning: P must be a whole number of turns, 1 or more [arc-turns]"},
         {By::Default, kStart + "G2 X0 Y0 I0.0000000001",
@@ -249,6 +251,18 @@ const std::vector<Case>& cases() {
         {By::Mach3, kStart + "G2 X1 J20000",
          "2:1: warning: this G2 has a radius of 20000 and, as written, goes nearly all around; "
          "moved the short way to its end [arc-long-way]"},
+        {By::Fanuc, kStart + "G51 X0 Y0 Z0 P2000~G81 X1 Z-1 R1",
+         "3:1: warning: G51 scales the axis of G81: Fanuc scales R and the depth of the hole, Haas "
+         "does not; they are scaled here; end G51 before the cycle, or scale the plane alone "
+         "[cycle-scaled]"},
+        {By::Fanuc, kStart + "#1=4~G1 X#1/2 M8",
+         "3:4: warning: the / in this word is read as a division, Fanuc and Haas read block "
+         "delete; "
+         "write brackets, as in X[#1/2], or a blank before the / [slash-after-value]"},
+        {By::Fanuc, kStart + "G16 G1 X1 Y30~G91 X1 Y30",
+         "3:1: warning: controls read an increment of the radius together with an increment of the "
+         "angle in different ways; the radius was taken from the tool, the angle from the last "
+         "angle; program the angle in a block of its own, or in G90 [polar-increment]"},
         {By::Mach3, kStart + "G41.1 D6~G1 X2",
          "3:1: warning: the first move with cutter compensation is not longer than the cutter "
          "radius; read as Fanuc and Haas begin, LinuxCNC refuses it [compensation-entry]"},
@@ -522,8 +536,9 @@ TEST(Messages, AreSaidInTheseWords) {
     }
 }
 
-TEST(Messages, NothingIsSaidOfTheWordsOfAnaloguePorts) {
-    for (const char* program : {"M66 E0 L0", "M67 E1 Q5", "M68 E1 Q5"}) {
+TEST(Messages, NothingIsSaidOfTheWordsOfAnaloguePortsAndOfSmoothness) {
+    for (const char* program :
+         {"M66 E0 L0", "M67 E1 Q5", "M68 E1 Q5", "G187 P2 E0.05", "G187 E.1"}) {
         for (const std::string& line : said_of({By::Default, program, ""}))
             EXPECT_EQ(line.find("word"), std::string::npos) << program << ": " << line;
     }

@@ -497,5 +497,32 @@ TEST(Sinumerik, Listing) {
     EXPECT_EQ(texts, (std::vector<std::string>{"START: G1 X10", "STOPRE"}));
 }
 
+/// A word that the block does not use, and a word that stands twice, is reported.
+TEST(Sinumerik, WordsThatABlockDoesNotUseAreReported) {
+    const std::string head = "G17 G90 G71 G54 F100 S100 M3\nG0 X5 Y5 Z0\n";
+    const auto says = [&](const std::string& block, const std::string& code) {
+        return run(head + block + "\nM30\n").says(code);
+    };
+    for (const std::string word : {"CR=20", "AR=90", "TURN=2", "I5", "J=AC(5)", "K3", "I1=3"}) {
+        EXPECT_TRUE(says("G0 X1 " + word, "word-unused")) << word;
+        EXPECT_TRUE(says("G1 X1 Z-1 " + word, "word-unused")) << word;
+    }
+    for (const std::string block :
+         {"G3 X5 Y-5 I-5 J-5 CR=7.0711", "G3 X5 Y-5 CR=7.0711 AR=90", "G3 X5 Y-5 I-5 J-5 K3",
+          "G3 X5 Y-5 CR=8 I1=3", "G3 X5 Y-5 I-5 J-5 AR=90", "CIP X5 Y-5 I1=-5 J1=0 CR=3"}) {
+        EXPECT_TRUE(says(block, "word-unused")) << block;
+    }
+    for (const std::string block : {"G3 X5 Y-5 I-5 J-5", "G3 X5 Y-5 CR=8 TURN=1", "G1 X1 RND=0",
+                                    "G3 AR=90 I-5 J-5", "G3 X5 Y-5 AR=90", "G2 X5 Y-5 I-5 J-5 K0",
+                                    "CIP X5 Y-5 I1=-5 J1=0", "G1 X1 Y1 Z1 F3 S3 M4 H5"}) {
+        EXPECT_FALSE(says(block, "word-unused")) << block;
+        EXPECT_FALSE(says(block, "word-twice")) << block;
+    }
+    for (const std::string block : {"G1 X1 X2", "G1 X1 X=IC(3)", "G3 X5 Y-5 CR=8 CR=9",
+                                    "G3 X5 Y-5 I-5 J-5 I=AC(0)", "G1 X1 F100 F200"}) {
+        EXPECT_TRUE(says(block, "word-twice")) << block;
+    }
+}
+
 }  // namespace
 }  // namespace ncsim::gcode::sinumerik_test

@@ -17,6 +17,7 @@ ncsim_add_test(gcode
     file_programs_test.cpp
     formula_values_test.cpp
     head_modes_test.cpp
+    jump_targets_test.cpp
     klartext_plane_test.cpp
     klartext_approach_test.cpp
     klartext_cycles_test.cpp
@@ -34,6 +35,7 @@ ncsim_add_test(gcode
     modes_left_on_test.cpp
     parser_test.cpp
     path_cycles_test.cpp
+    polar_words_test.cpp
     program_stages_test.cpp
     program_text_test.cpp
     redundant_words_test.cpp

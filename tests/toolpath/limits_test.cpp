@@ -90,9 +90,24 @@ TEST(Limits, HandOfATapInATable) {
         const ToolFile file = read_tool_file({"t.tbl", "T1 P1 D5 ;" + remark + "\n"}, false);
         return file.tools.at(0).spec.left_hand;
     };
-    EXPECT_TRUE(is_left("left hand tap"));
-    EXPECT_FALSE(is_left("right hand tap"));
-    EXPECT_FALSE(is_left("tap"));
+    for (const char* const left : {"left hand tap", "LH TAP", "tap, left-hand", "M5X0.8 TAP LH",
+                                   "L.H. TAP", "TARAUD GAUCHE", "MACHO IZQUIERDO TAP"}) {
+        EXPECT_TRUE(is_left(left)) << left;
+    }
+    for (const char* const right : {"right hand tap", "tap", "RH TAP", "TAP LENGTH 5"})
+        EXPECT_FALSE(is_left(right)) << right;
+}
+
+TEST(Limits, HandOfATapInAComment) {
+    for (const std::string hand : {"left", "right"}) {
+        for (const std::string& comment :
+             {"T4 D=6. CR=0. - ZMIN=-8. - " + hand + " hand tap", "T4 M6X1 " + hand + " HAND TAP",
+              "T4 M6X1 TAP " + (hand == "left" ? std::string("LH") : std::string("RH"))}) {
+            const ProgramNotes notes = read_notes({"a.nc", "(" + comment + ")\n"});
+            ASSERT_EQ(notes.tools.size(), 1U) << comment;
+            EXPECT_EQ(notes.tools[0].spec.left_hand, hand == "left") << comment;
+        }
+    }
 }
 
 TEST(Limits, ValuesOfFusionOfOtherKinds) {

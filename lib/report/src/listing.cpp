@@ -85,6 +85,8 @@ Json to_json(const gcode::Block& block) {
         case gcode::BlockKind::Unreadable: json["kind"] = "unreadable"; break;
     }
     if (block.block_delete) json["block_delete"] = true;
+    if (block.deletable.length > 0 && !block.block_delete)
+        json["block_delete_from"] = block.deletable.column;
     if (block.has_number) json["number"] = block.number;
     for (const gcode::Word& word : block.words) {
         json["words"].push_back({{"text", text_of(word)}, {"column", word.span.column}});

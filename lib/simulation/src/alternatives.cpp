@@ -5,6 +5,7 @@
 
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/motion.h"
+#include "ncsim/gcode/parser.h"
 #include "ncsim/simulation/verification_options.h"
 
 #include <fmt/format.h>
@@ -12,9 +13,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <string>
+#include <string_view>
 #include <tuple>
 #include <variant>
 
@@ -165,6 +169,80 @@ void add_other_controls(const Plan& plan, const gcode::Interpretation& read,
     }
 }
 
+// Switches of block delete, as bits: '/' and "/1" are bit 1, "/9" is bit 9.
+using Switches = std::uint32_t;
+
+// Returns the switches of the slashes that begin at `at` in `text`, as in "/1/3", and moves `at`
+// behind them.
+Switches switches_at(std::string_view text, std::size_t& at) {
+    Switches found = 0;
+    const auto skip_blanks = [&] { at = std::min(text.find_first_not_of(" \t", at), text.size()); };
+    while (at < text.size() && text[at] == '/') {
+        ++at;
+        skip_blanks();
+        const bool has_number = at < text.size() && text[at] >= '1' && text[at] <= '9';
+        found |= 1U << (has_number ? text[at] - '0' : 1);
+        if (has_number) ++at;
+        skip_blanks();
+    }
+    return found;
+}
+
+// Calls `take(begin, end, switches)` for the slashes of each block of `program` that has some.
+template <typename Take>
+void for_each_deletable(const gcode::SourceFile& program, bool strict, const Take& take) {
+    gcode::BlockReader reader(program, {.strict = strict});
+    gcode::Block block;
+    std::size_t begin = reader.place().offset;
+    while (reader.next(block)) {
+        if (block.deletable.length > 0) {
+            const std::size_t slash = begin + block.deletable.column - 1;
+            std::size_t end = slash;
+            const Switches switches = switches_at(program.text, end);
+            take(slash, end, switches);
+        }
+        begin = reader.place().offset;
+    }
+}
+
+// Returns `program` in which only blocks of `switches` have a slash.
+std::string with_slashes_of(const gcode::SourceFile& program, bool strict, Switches switches) {
+    std::string text = program.text;
+    for_each_deletable(program, strict, [&](std::size_t begin, std::size_t end, Switches of_block) {
+        if ((of_block & switches) != 0) return;
+        std::fill(text.begin() + static_cast<std::ptrdiff_t>(begin),
+                  text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    });
+    return text;
+}
+
+// Adds the readings with some switches of block delete on and others off, if the program uses
+// several: all of two or three switches, single ones of more.
+void add_single_switches(const Plan& plan, verify::Place place, std::vector<Alternative>& found) {
+    constexpr int kMostCombined = 3;
+    const bool strict = plan.job.interpreter.strict;
+    Switches all = 0;
+    for_each_deletable(plan.job.program, strict,
+                       [&](std::size_t, std::size_t, Switches of_block) { all |= of_block; });
+    const int count = std::popcount(all);
+    if (count < 2) return;
+    for (Switches on = (all - 1) & all; on != 0; on = (on - 1) & all) {
+        if (count > kMostCombined && std::popcount(on) > 1) continue;
+        std::string names;
+        for (unsigned number = 1; number <= 9; ++number) {
+            if ((on >> number & 1U) != 0)
+                names += fmt::format("{}/{}", names.empty() ? "" : ", ", number);
+        }
+        found.push_back({"block-delete", fmt::format("with only the blocks of {} skipped", names),
+                         place, [strict, on](Plan& other, VerificationOptions&) {
+                             other.job.program.text =
+                                 with_slashes_of(other.job.program, strict, on);
+                             other.job.options.block_delete = true;
+                             other.job.interpreter.block_delete = true;
+                         }});
+    }
+}
+
 std::string described(const verify::Finding& finding) {
     return fmt::format("{} in line {}", finding.rule, finding.place.span.line);
 }
@@ -182,6 +260,9 @@ std::vector<Alternative> alternatives_of(const Plan& plan, const Survey& survey,
                              other.job.options.block_delete = true;
                              other.job.interpreter.block_delete = true;
                          }});
+        const gcode::Dialect dialect = read.dialect.dialect;
+        if (dialect != gcode::Dialect::Heidenhain && dialect != gcode::Dialect::Sinumerik)
+            add_single_switches(plan, place_of(*read.deletable), found);
     }
     if (read.without_point && read.has_points && !options.increments) {
         found.push_back({"decimal-point",

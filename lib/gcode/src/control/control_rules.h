@@ -40,6 +40,8 @@ struct Rules {
     bool k_repeats = false;
     /// I, J and K of G83 and G73 are decreasing pecks (Haas).
     bool pecks_shrink = false;
+    /// The pole of G16 is the position of the tool at G16 (Mach3); otherwise the origin.
+    bool pole_is_position = false;
     /// G68.2 and similar codes follow the remaps of LinuxCNC; otherwise Fanuc. True only if the
     /// program has a sign of LinuxCNC or the user specified the dialect.
     bool linuxcnc_planes = false;
@@ -70,6 +72,7 @@ struct Rules {
         rules.corner_words = fanuc || has_language;
         rules.rounds_arcs = has_language;
         if (fanuc || has_language) rules.compensation_start = CompensationStart::SquareToNext;
+        rules.pole_is_position = !strict && dialect == Dialect::Mach3;
         rules.hole_patterns = fanuc;
         rules.circular_pockets = fanuc;
         rules.macro_b = fanuc;

@@ -373,6 +373,12 @@ bool Control::polar_end(const Block& block, const Words& words, Axes& end) {
 bool Control::path(const Block& block, const Corner* corner) {
     Words words;
     if (!gather(block, words)) return false;
+    const bool is_polar = block.verb == Verb::StraightPolar || block.verb == Verb::ArcPolar ||
+                          block.verb == Verb::ArcTangentPolar;
+    for (const std::size_t axis : {axes_of(plane_).first, axes_of(plane_).second}) {
+        if (is_polar && words.axis[axis])
+            return fail(Message::KlartextWord, words.span[axis], {{&kAxisNames[axis], 1}});
+    }
     if (block.verb == Verb::Straight || block.verb == Verb::StraightPolar) {
         if (!linear_move(block, words, corner)) return false;
     } else if (!arc(block, words, corner)) {
@@ -413,8 +419,6 @@ bool Control::linear_move(const Block& block, Words& words, const Corner* corner
         pr = pr_, pa = pa_;
         const PlaneAxes axes = axes_of(plane_);
         mask |= 1U << axes.first | 1U << axes.second;
-    } else if (words.pr || words.pa) {
-        return fail(Message::KlartextWord, span, {"PR, PA"});
     }
     const bool is_of_machine = words.has(91) || words.has(92);
     if (mask != 0) {

@@ -254,6 +254,41 @@ bool is_path_verb(Verb verb) {
     return verb >= Verb::Straight && verb <= Verb::Chamfer;
 }
 
+/// True if a block with `verb` (`name`: with its second word) takes a word `address`.
+bool takes(Verb verb, std::string_view name, Address address) {
+    const bool is_axis = address <= Address::W;
+    const bool approaches = verb == Verb::Approach || verb == Verb::Depart;
+    const bool is_corner = verb == Verb::Rounding || verb == Verb::Chamfer;
+    switch (address) {
+        case Address::PR:
+            return verb == Verb::StraightPolar || verb == Verb::ArcTangentPolar || approaches;
+        case Address::PA: return takes(verb, name, Address::PR) || verb == Verb::ArcPolar;
+        case Address::Radius: return verb == Verb::ArcByRadius || is_corner || approaches;
+        case Address::DrPlus:
+        case Address::DrMinus:
+            return verb == Verb::Arc || verb == Verb::ArcPolar || verb == Verb::ArcByRadius;
+        case Address::Len: {
+            const std::string way = approaches ? upper_of(name) : std::string();
+            return way.ends_with("LT") || way.ends_with("LN");
+        }
+        case Address::Cca: {
+            const std::string way = approaches ? upper_of(name) : std::string();
+            return way.ends_with("CT") && !way.ends_with("LCT");
+        }
+        default: return !is_axis || !is_corner;
+    }
+}
+
+/// Returns an address for all that exclude each other: R0, RL and RR; DR+ and DR-.
+Address without_value(Address address) {
+    switch (address) {
+        case Address::RL:
+        case Address::RR: return Address::R0;
+        case Address::DrMinus: return Address::DrPlus;
+        default: return address;
+    }
+}
+
 /// Reads the words of a path block.
 class WordReader {
 public:
@@ -287,9 +322,20 @@ private:
         return false;
     }
 
-    void add(Address address, bool is_incremental, const Value& value, std::size_t begin) {
+    /// Adds a word, unless the block does not take the word, or takes it once and has it already.
+    bool add(Address address, bool is_incremental, const Value& value, std::size_t begin) {
+        // X, Y and Z of M118 are no positions, and F of M103 and M128 is no feed of the path.
+        const bool is_of_path = address <= Address::RR || address >= Address::DrPlus;
+        const bool may_repeat = !is_of_path || has_m118_;
+        const bool is_known = std::ranges::any_of(block_.words, [address](const Word& word) {
+            return without_value(word.address) == without_value(address);
+        });
+        if (!takes(block_.verb, block_.name, address) || (is_known && !may_repeat))
+            return fail(begin);
+        has_m118_ = has_m118_ || (address == Address::M && value.number == 118.0);
         block_.words.push_back(
             {address, is_incremental, value, block_.span(begin, scan_.at() - begin)});
+        return true;
     }
 
     /// "RND 4", "RND4", "CHF 10": a number without a name.
@@ -297,8 +343,7 @@ private:
         const bool takes_it = block_.verb == Verb::Rounding || block_.verb == Verb::Chamfer;
         const Value value = takes_it ? scan_.value() : Value{};
         if (value.kind == Value::Kind::None) return fail(begin);
-        add(Address::Radius, false, value, begin);
-        return true;
+        return add(Address::Radius, false, value, begin);
     }
 
     bool word() {
@@ -340,7 +385,7 @@ private:
             case Address::F: return feed(begin);
             case Address::Radius: return radius(begin);
             case Address::MB:
-                if (scan_.take_word("MAX")) return add(Address::MBMax, false, {}, begin), true;
+                if (scan_.take_word("MAX")) return add(Address::MBMax, false, {}, begin);
                 break;
             default: break;
         }
@@ -351,8 +396,7 @@ private:
             // "CC X Y", "L X": the programming mode left the value open.
             return fail(begin);
         }
-        add(entry->address, is_incremental, value, begin);
-        return true;
+        return add(entry->address, is_incremental, value, begin);
     }
 
     bool direction(std::size_t begin) {
@@ -361,19 +405,17 @@ private:
         if (sign != '+' && sign != '-') return fail(begin);
         scan_.move_to(scan_.at() + 1);
         if (is_digit(scan_.peek()) || scan_.peek() == '.') return fail(begin);
-        add(sign == '+' ? Address::DrPlus : Address::DrMinus, false, {}, begin);
-        return true;
+        return add(sign == '+' ? Address::DrPlus : Address::DrMinus, false, {}, begin);
     }
 
     bool feed(std::size_t begin) {
-        if (scan_.take_word("MAX")) return add(Address::FMax, false, {}, begin), true;
-        if (scan_.take_word("AUTO")) return add(Address::FAuto, false, {}, begin), true;
+        if (scan_.take_word("MAX")) return add(Address::FMax, false, {}, begin);
+        if (scan_.take_word("AUTO")) return add(Address::FAuto, false, {}, begin);
         const Value value = scan_.value();
         // "L X10 F": a feed that was left empty.
         const bool is_alone = begin + 1 >= block_.code.size() || is_blank(block_.code[begin + 1]);
         if (value.kind == Value::Kind::None) return is_alone || fail(begin);
-        add(Address::F, false, value, begin);
-        return true;
+        return add(Address::F, false, value, begin);
     }
 
     /// R0, the radius R5 of arcs and roundings, or R without a value, which changes nothing.
@@ -388,8 +430,7 @@ private:
                              scan_.peek(1) != '.' && scan_.peek(1) != ',';
         if (is_zero && (!is_radius || has_radius || approaches)) {
             scan_.move_to(scan_.at() + 1);
-            add(Address::R0, false, {}, begin);
-            return true;
+            return add(Address::R0, false, {}, begin);
         }
         const Value value = scan_.value();
         if (value.kind == Value::Kind::None) {
@@ -397,13 +438,13 @@ private:
             return !is_radius || has_radius || fail(begin);
         }
         if (!is_radius) return fail(begin);
-        add(Address::Radius, false, value, begin);
-        return true;
+        return add(Address::Radius, false, value, begin);
     }
 
     Block& block_;
     DiagnosticLog* log_;
     Scanner scan_;
+    bool has_m118_ = false;
 };
 
 /// Removes the number and the '/' at the beginning of a line. Returns the offset of the rest.

@@ -76,9 +76,14 @@ void Resolver::report_unknown(std::string_view name, SourceSpan span) {
 
 std::optional<double> Resolver::value_to_keep(std::string_view text, SourceSpan span, bool open,
                                               std::string& unknown) {
+    return evaluated(text, span, open, rules_.arithmetic, unknown);
+}
+
+std::optional<double> Resolver::evaluated(std::string_view text, SourceSpan span, bool open,
+                                          const Arithmetic& arithmetic, std::string& unknown) {
     ExpressionFault fault;
     parameters_.take_unknown();
-    const std::optional<double> value = evaluate(text, parameters_, rules_.arithmetic, fault, open);
+    const std::optional<double> value = evaluate(text, parameters_, arithmetic, fault, open);
     unknown = parameters_.take_unknown();
     if (!value) log_.add(Severity::Error, fault.message, span, {fault.argument});
     return value;
@@ -99,7 +104,23 @@ std::optional<double> Resolver::value_of(std::string_view text, SourceSpan span,
 
 std::optional<double> Resolver::value_of(const Word& word) {
     if (word.literal) return word.number;
-    return value_of(word.text, word.span, !rules_.strict);
+    Arithmetic arithmetic = rules_.arithmetic;
+    arithmetic.round_scale = round_scale_of(word.letter);
+    std::string unknown;
+    const std::optional<double> value =
+        evaluated(word.text, word.span, !rules_.strict, arithmetic, unknown);
+    if (value) report_unknown(unknown, word.span);
+    return value;
+}
+
+/// ROUND in a word of Fanuc and Haas rounds to the least increment of the address.
+double Resolver::round_scale_of(char letter) const {
+    constexpr double kMetric = 1e3;
+    constexpr double kInch = 1e4;
+    const std::string_view addresses = "XYZABCUVWIJKRQ";
+    if (!rules_.macro_b || addresses.find(letter) == std::string_view::npos) return 1.0;
+    const bool is_angle = letter >= 'A' && letter <= 'C';
+    return parameters_.view.state->inches && !is_angle ? kInch : kMetric;
 }
 
 namespace {
@@ -176,8 +197,8 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         group = Group::ToolLength;
     if (code == Code::G234 && knows_joints_) group = Group::ToolLength;
     if (group == Group::Ignored) {
-        command.has_others = true;  // The code may have words.
-        return true;
+        command.has_others = true;                             // The code may have words.
+        return entry_of(code).takes_axes ? put(group) : true;  // X Y Z of G22 are limits.
     }
     const Code other = command.group(group);
     if (group == Group::Motion && other != Code::None &&
@@ -250,7 +271,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
     command.has_angle = false;
     command.has_m = false;
     command.mist_and_flood = false;
-    bool takes_e = false;
+    bool takes_e = false;  // E is a port of M66 to M68, or the tolerance of G187.
     command.clamps.clear();
     command.has_others = false;
     unknown_g_ = false;
@@ -267,12 +288,13 @@ bool Resolver::resolve(const Block& block, Command& command) {
             return false;
         }
         if (word.letter == 'G') {
+            takes_e = takes_e || value == 187.0;  // Smoothness.
             if (!take_g(block, word, value, command)) return false;
             continue;
         }
         if (word.letter == 'M') {
             command.has_m = true;
-            takes_e = takes_e || value == 66.0 || value == 67.0 || value == 68.0;  // Analog ports.
+            takes_e = takes_e || value == 66.0 || value == 67.0 || value == 68.0;
             if (!take_m(word, value, command)) return false;
             continue;
         }

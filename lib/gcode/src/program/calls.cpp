@@ -210,8 +210,8 @@ void Runner::call_subprogram() {
     const std::string label = std::to_string(number);
     if (!target) {
         const std::optional<Target> sub = find_target(ControlWord::Sub, label, false);
-        if (!sub && is_control_program(static_cast<double>(number)))
-            return report_control_program(static_cast<double>(number), p->span);
+        const auto called = static_cast<double>(command_.has('L') ? number : number % 10'000);
+        if (!sub && is_control_program(called)) return report_control_program(called, p->span);
         if (!sub || rules_.strict) {
             return fault(sub ? Message::CallForms : Message::ProgramNotFound, p->span,
                          {join_label("O", label)});
@@ -232,7 +232,7 @@ void Runner::call_lines() {
         return fault(Message::CallWithoutNumber, command_.span, {"M97"});
     }
     const auto number = static_cast<std::uint32_t>(command_['P']);
-    const std::optional<BlockReader::Place> place = index().find_number(number, 0);
+    const std::optional<BlockReader::Place> place = index().find_number(number, block_.line);
     if (!place)
         return fault(Message::LineNotFound, command_.span,
                      {join_label("N", std::to_string(number))});
@@ -259,7 +259,8 @@ bool Runner::record_outline() {
         return false;
     }
     std::size_t where = current_;
-    std::optional<BlockReader::Place> place = index().find_number(static_cast<std::uint32_t>(p), 0);
+    std::optional<BlockReader::Place> place =
+        index().find_number(static_cast<std::uint32_t>(p), block_.line);
     const std::string label = std::to_string(std::lround(p));
     if (!place) {
         const auto target = find_target(ControlWord::ProgramNumber, label, true);
@@ -307,6 +308,7 @@ bool Runner::record_outline() {
 
 void Runner::return_from_subprogram() {
     if (frames_.empty()) {
+        if (command_.has('P') && !rules_.strict && continue_at(command_['P'], true)) return;
         // M99 in the main program restarts the program; a single run shows all motions.
         if (!rules_.strict) log_.add(Message::MainRepeats, command_.span);
         machine_.finish();
@@ -322,15 +324,25 @@ void Runner::return_from_subprogram() {
     if (!has_target) return finish_subprogram();
     frames_.back().remaining = 0;
     finish_subprogram();
-    if (number < 0.0 || number > 4e9) return;
+    (void)continue_at(number, false);
+}
+
+/// M99 P100 continues in line N100 of the program that runs after the return. `is_main`: M99 is in
+/// the main program, where a jump back restarts the program.
+/// Returns: false without a jump if the main program would restart.
+bool Runner::continue_at(double number, bool is_main) {
+    if (!(number >= 0.0 && number <= 4e9)) return !is_main;
+    const std::uint32_t line = file().reader.place().line;
     const std::optional<BlockReader::Place> place =
-        index().find_number(static_cast<std::uint32_t>(number), 0);
-    if (place) {
-        jump(current_, *place);
-    } else {
+        index().find_number(static_cast<std::uint32_t>(number), line);
+    if (!place) {
         fault(Message::LineNotFound, command_.span,
               {join_label("N", std::to_string(std::lround(number)))});
+        if (is_main) ended_ = true;
+        return true;
     }
+    if (is_main && place->line < line) return false;
+    return jump(current_, *place);
 }
 
 }  // namespace ncsim::gcode

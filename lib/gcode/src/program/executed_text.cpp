@@ -56,9 +56,11 @@ DeletedBlocks find_in_gcode(const SourceFile& file, bool strict) {
         if (line.find('/') != std::string_view::npos) {
             reader.seek(place);
             reader.next(block);
-            if (block.block_delete)
+            if (block.deletable.length > 0) {
+                const std::size_t slash = place.offset + block.deletable.column - 1;
                 found.push_back(
-                    {{place.offset, place.offset + end.length}, number_of(line, place.offset)});
+                    {{slash, place.offset + end.length}, number_of(line, place.offset)});
+            }
         }
         place = {place.offset + end.next, place.line + 1};
     }

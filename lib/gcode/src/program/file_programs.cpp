@@ -12,7 +12,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace ncsim::gcode {
 
@@ -91,9 +93,9 @@ bool has_code(const Block& block, char letter, double number) {
     });
 }
 
-/// Returns the number of the program that `block` calls: "101"; empty if there is no call. Sets
-/// `any` if the number is computed.
-std::string called_program(const Block& block, bool& any) {
+/// Returns the numbers of programs of which `block` calls the first that exists: "101"; for P30101
+/// also "101", with three runs. Empty if there is no call. Sets `any` if the number is computed.
+std::vector<std::string> called_programs(const Block& block, bool& any) {
     const bool calls = has_code(block, 'M', 98) || has_code(block, 'G', 65) ||
                        has_code(block, 'G', 66) || has_code(block, 'G', 150);
     const Word* p = calls ? find_word(block, 'P') : nullptr;
@@ -102,7 +104,12 @@ std::string called_program(const Block& block, bool& any) {
         any = true;
         return {};
     }
-    return std::to_string(std::lround(p->number));
+    constexpr long kNumbers = 10'000;
+    const long number = std::lround(p->number);
+    std::vector<std::string> numbers{std::to_string(number)};
+    if (number >= kNumbers && has_code(block, 'M', 98) && !find_word(block, 'L'))
+        numbers.push_back(std::to_string(number % kNumbers));
+    return numbers;
 }
 
 bool is_join(ControlWord word) {
@@ -151,7 +158,7 @@ public:
         Block block;
         while (reader.next(block)) {
             targets_.read(block);
-            (void)called_program(block, targets_.any_program);
+            (void)called_programs(block, targets_.any_program);
         }
     }
 
@@ -165,10 +172,27 @@ public:
             begin = reader.place().offset;
         }
         last().end = file_.text.size();
+        for (const Call& call : calls_)
+            programs_.sections_[call.section].calls.push_back(number_of(call));
         return targets_.any_program;
     }
 
 private:
+    /// A call in a section, with the possible numbers of the program.
+    struct Call {
+        std::size_t section;
+        std::vector<std::string> numbers;
+    };
+
+    /// Returns the first number of `call` that is in the file; otherwise the first one.
+    std::string number_of(const Call& call) const {
+        const auto found = std::ranges::find_if(call.numbers, [&](const std::string& number) {
+            return std::ranges::find(programs_.sections_, number, &FilePrograms::Section::number) !=
+                   programs_.sections_.end();
+        });
+        return found == call.numbers.end() ? call.numbers.front() : *found;
+    }
+
     FilePrograms::Section& last() { return programs_.sections_.back(); }
 
     void begin_section(const Block& block, std::size_t begin) {
@@ -201,8 +225,8 @@ private:
         FilePrograms::Section& section = last();
         section.has_words = section.has_words || !block.words.empty();
         bool any = false;
-        if (std::string number = called_program(block, any); !number.empty())
-            section.calls.push_back(std::move(number));
+        if (std::vector<std::string> numbers = called_programs(block, any); !numbers.empty())
+            calls_.push_back({programs_.sections_.size() - 1, std::move(numbers)});
         const bool moves = std::ranges::any_of(block.words, [](const Word& word) {
             return !word.comma && kAxes.find(word.letter) != std::string_view::npos;
         });
@@ -247,6 +271,7 @@ private:
     FilePrograms& programs_;
     const SourceFile& file_;
     NamedTargets targets_;
+    std::vector<Call> calls_;
     std::size_t subs_ = 0;
     bool is_reached_ = true;
     bool is_reported_ = false;

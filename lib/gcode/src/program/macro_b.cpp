@@ -30,7 +30,7 @@ bool Runner::macro_word() {
                                condition(control.expression, control.span).value_or(false);
             if (holds) return false;
             const auto end = index().next(*here, index()[*here].label, ControlWord::End);
-            if (!end) {
+            if (!end || !index().are_in_one_program(block_.line, index()[*end].line)) {
                 fault(Message::BlockEndMissing, control.span, {"END"});
                 ended_ = true;
                 return false;
@@ -42,7 +42,7 @@ bool Runner::macro_word() {
             const std::optional<std::size_t> here = index().at_line(block_.line);
             if (!here) return false;
             const auto begin = index().previous(*here, index()[*here].label, ControlWord::While);
-            if (!begin) {
+            if (!begin || !index().are_in_one_program(index()[*begin].line, block_.line)) {
                 fault(Message::BlockEndMissing, control.span, {"WHILE"});
                 return false;
             }

@@ -25,6 +25,7 @@ ProgramIndex::ProgramIndex(const SourceFile& file) {
             markers_.push_back({block.control.word, plain_label(block.control.label), block.line,
                                 at, reader.place()});
         }
+        if (block.control.word == ControlWord::ProgramNumber) heads_.push_back(block.line);
         if (block.has_number) numbers_.push_back({block.number, block.line, at});
         at = reader.place();
     }
@@ -45,11 +46,17 @@ std::optional<std::size_t> ProgramIndex::find(ControlWord word, std::string_view
 }
 
 std::optional<BlockReader::Place> ProgramIndex::find_number(std::uint32_t number,
-                                                            std::uint32_t from) const {
-    const auto first = std::ranges::lower_bound(numbers_, number, {}, &Number::number);
-    const auto last = std::ranges::upper_bound(numbers_, number, {}, &Number::number);
+                                                            std::uint32_t line) const {
+    const auto next_head = std::ranges::upper_bound(heads_, line);
+    const std::uint32_t begin = next_head == heads_.begin() ? 0 : *(next_head - 1);
+    const auto place = [](const Number& n) { return std::tuple(n.number, n.line); };
+    const auto first = std::ranges::lower_bound(numbers_, std::tuple(number, begin), {}, place);
+    const auto last =
+        next_head == heads_.end()
+            ? std::ranges::upper_bound(numbers_, number, {}, &Number::number)
+            : std::ranges::lower_bound(numbers_, std::tuple(number, *next_head), {}, place);
     if (first == last) return std::nullopt;
-    const auto after = std::find_if(first, last, [&](const Number& n) { return n.line >= from; });
+    const auto after = std::find_if(first, last, [&](const Number& n) { return n.line >= line; });
     return (after == last ? first : after)->at;
 }
 

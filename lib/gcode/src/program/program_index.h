@@ -6,6 +6,7 @@
 
 #include "ncsim/gcode/parser.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -51,12 +52,17 @@ public:
         }
         return std::nullopt;
     }
+    /// True if no O number is between the lines `a` and `b`, or in the later line.
+    bool are_in_one_program(std::uint32_t a, std::uint32_t b) const {
+        return std::ranges::upper_bound(heads_, a) == std::ranges::upper_bound(heads_, b);
+    }
     /// Returns the index of the first marker of the file with `word` and `label`; nullopt: none.
     std::optional<std::size_t> find(ControlWord word, std::string_view label) const;
 
-    /// Returns the position of the line N`number`: the first match from line `from` on, otherwise
-    /// the first match in the file; nullopt: none.
-    std::optional<BlockReader::Place> find_number(std::uint32_t number, std::uint32_t from) const;
+    /// Returns the position of the line N`number` of the program that contains line `line`: the
+    /// first match from `line` on, otherwise the first match in this program; nullopt: none. A
+    /// program begins at an O number and ends at the next O number.
+    std::optional<BlockReader::Place> find_number(std::uint32_t number, std::uint32_t line) const;
 
 private:
     template <typename... Words>
@@ -68,7 +74,8 @@ private:
         BlockReader::Place at;
     };
     std::vector<Marker> markers_;
-    std::vector<Number> numbers_;  // Sorted by number, then by line.
+    std::vector<Number> numbers_;       // Sorted by number, then by line.
+    std::vector<std::uint32_t> heads_;  // Lines of O numbers, in ascending order.
 };
 
 /// Returns `letter` followed by `number`: "N" and "10" give "N10".

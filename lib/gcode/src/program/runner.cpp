@@ -72,10 +72,10 @@ bool Runner::step() {
         if (block_.kind == BlockKind::Percent) return percent();
         return true;
     }
-    if (block_.block_delete) {
+    if (block_.deletable.length > 0) {
         const bool does_something = block_.control.word != ControlWord::None ||
                                     !block_.words.empty() || !block_.assignments.empty();
-        if (does_something) note_deletable(current_, block_.line_span());
+        if (does_something) note_deletable(current_, block_.deletable);
     }
     if (block_.control.word != ControlWord::None) {
         something_read_ = true;

@@ -112,6 +112,7 @@ private:
     void call_lines();
     bool record_outline();
     void return_from_subprogram();
+    bool continue_at(double number, bool is_main);
     void enter(Frame frame, const Target& target);
     void finish_subprogram();
     std::optional<Target> find_target(ControlWord word, const std::string& label, bool in_files);

@@ -20,6 +20,32 @@ bool moves_nothing(int m) {
     return (m >= 40 && m <= 45) || m == 70 || m == 17;
 }
 
+/// Reports words of arcs that a block of the motion mode `motion` in `plane` does not use.
+void note_unused_words(const Words& words, int motion, Plane plane, SourceSpan span,
+                       DiagnosticLog& log) {
+    const auto note = [&](SourceSpan place, std::string_view name) {
+        log.add(Severity::Warning, Message::WordUnused, place, {name});
+    };
+    const auto note_points = [&](const auto& points, std::string_view names) {
+        for (const auto& point : points) {
+            if (point) return note(point->span, names);
+        }
+    };
+    const bool is_arc = motion == 2 || motion == 3;
+    if (words.radius && !is_arc) note(span, "CR");
+    if (words.opening && (!is_arc || words.radius)) note(span, "AR");
+    if (words.turns && !is_arc) note(span, "TURN");
+    if (motion != kCip) note_points(words.via, "I1, J1, K1");
+    const PlaneAxes axes = axes_of(plane);
+    const bool has_end = words.axis[axes.first] || words.axis[axes.second];
+    if (!is_arc || words.radius || (words.opening && has_end))
+        return note_points(words.centre, "I, J, K");
+    if (const auto& centre = words.centre[axes.third]; centre && centre->value != 0.0) {
+        const char letter = static_cast<char>('I' + static_cast<int>(axes.third));
+        note(centre->span, {&letter, 1});
+    }
+}
+
 }  // namespace
 
 Control::Control(const InterpreterOptions& options, const std::array<RotaryWay, 3>& ways,
@@ -58,6 +84,7 @@ bool Control::block(const Words& words, SourceSpan span) {
     const bool is_arc = motion_ == 2 || motion_ == 3;
     const bool moves = words.has_axes() ||
                        (is_arc && (words.opening || std::ranges::any_of(words.centre, is_set)));
+    note_unused_words(words, motion_, plane_, span, log_);
     if (moves ? !move(words, command, span) : !run(command)) return false;
     return act_at_end(words, span);
 }

@@ -279,19 +279,21 @@ WordReader::Found WordReader::word(CodeScanner& scan, const Line& line, Words& w
 
 WordReader::Found WordReader::take(std::string_view name, double value,
                                    const Coordinate& coordinate, SourceSpan span, Words& words) {
-    const auto put = [](auto& slot, double number) {
-        slot = number;
+    const auto put_value = [&](auto& slot, const auto& content) {
+        if (slot) log_.add(Message::WordTwice, span, {name});
+        slot = content;
         return Found::Yes;
+    };
+    const auto put = [&](std::optional<double>& slot, double number) {
+        return put_value(slot, number);
     };
     if (name.size() == 1) {
         const char letter = name[0];
         if (const std::size_t axis = kAxes.find(letter); axis != std::string_view::npos) {
-            words.axis[axis] = coordinate;
-            return Found::Yes;
+            return put_value(words.axis[axis], coordinate);
         }
         if (const std::size_t axis = kCentres.find(letter); axis != std::string_view::npos) {
-            words.centre[axis] = coordinate;
-            return Found::Yes;
+            return put_value(words.centre[axis], coordinate);
         }
         switch (letter) {
             case 'G': return g_code(value, span, words);
@@ -328,8 +330,7 @@ WordReader::Found WordReader::take(std::string_view name, double value,
     if (name == "M1") return take("M", value, coordinate, span, words);
     if (name == "G") return g_code(value, span, words);
     if (name == "AP") {
-        words.polar_angle = coordinate;
-        return Found::Yes;
+        return put_value(words.polar_angle, coordinate);
     }
     if (name == "SPOS" || name == "SPOSA") {
         words.m.push_back(19);
@@ -337,8 +338,7 @@ WordReader::Found WordReader::take(std::string_view name, double value,
     }
     for (std::size_t i = 0; i < 3; ++i) {
         if (name[0] == kCentres[i] && name.size() == 2 && name[1] == '1') {
-            words.via[i] = coordinate;
-            return Found::Yes;
+            return put_value(words.via[i], coordinate);
         }
         if (name[0] == "ABC"[i] && name.size() == 2 && name[1] == '3')
             return put(words.direction[i], value);

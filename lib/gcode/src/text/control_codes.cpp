@@ -95,6 +95,8 @@ public:
         if (block.kind != BlockKind::Words) return;
         take_course(block);
         if (block.block_delete) need(kBlockDelete, "lines that begin with '/'", block.line_span());
+        if (block.deletable.length > 0 && !block.block_delete)
+            need(kSkippedRest, "'/' within a line", block.deletable);
         if (!block.assignments.empty())
             need(kVariables, "variables", block.assignments.front().span);
         bool is_arc = false;

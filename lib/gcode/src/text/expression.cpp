@@ -252,7 +252,8 @@ private:
             return arithmetic_.fix_truncates ? std::copysign(std::ceil(std::abs(x)), x)
                                              : std::ceil(x);
         }
-        if (name == "round" || (name == "rnd" && !arithmetic_.strict)) return std::round(x);
+        if (name == "round" || (name == "rnd" && !arithmetic_.strict))
+            return std::round(x * arithmetic_.round_scale) / arithmetic_.round_scale;
         if (!arithmetic_.strict && (name == "bin" || name == "bcd")) return convert_bcd(name, x);
         return fail(Message::FunctionUnknown, name);
     }

@@ -26,6 +26,8 @@ struct Arithmetic {
     bool vacant = false;         ///< Unset variables are vacant (Fanuc), not 0.
     /// EQ and NE treat numbers within 1e-4 as equal, GE and LE are exact (LinuxCNC).
     bool compares_loosely = false;
+    /// ROUND rounds to multiples of 1 / `round_scale`.
+    double round_scale = 1.0;
 };
 
 /// Interface to the parameters of a program.

@@ -197,6 +197,11 @@ bool LineParser::is_console_command() {
     static constexpr std::array<std::string_view, 5> kFanucOutput = {"dprnt", "bprnt", "popen",
                                                                      "pclos", "setvn"};
     const char c = text_[0];
+    // "<PART>" alone is the name of a program of newer Fanuc controls.
+    if (c == '<' && text_.find('>') == text_.size() - 1 && !options_.strict) {
+        block_.kind = BlockKind::Command;
+        return true;
+    }
     // M117 and M118 show the rest of the line on a display.
     const bool shows = (text_.starts_with("m117") || text_.starts_with("m118")) &&
                        text_.size() > 4 && is_letter(text_[4]);
@@ -215,11 +220,10 @@ bool LineParser::is_console_command() {
 }
 
 void LineParser::read_prefix() {
-    for (int i = 0; i < 2 && at_ < text_.size(); ++i) {
-        if (text_[at_] == '/' && !block_.block_delete) {
+    while (at_ < text_.size()) {
+        if (text_[at_] == '/' && (!options_.strict || !block_.block_delete)) {
             block_.block_delete = true;
-            ++at_;
-            if (at_ + 1 < text_.size() && is_digit(text_[at_]) && is_letter(text_[at_ + 1])) ++at_;
+            read_slash();
         } else if (text_[at_] == 'n' && !block_.has_number && at_ + 1 < text_.size() &&
                    is_digit(text_[at_ + 1])) {
             const PlainNumber number =
@@ -227,8 +231,23 @@ void LineParser::read_prefix() {
             if (!number.end) return;
             set_number(number.value);
             at_ = static_cast<std::size_t>(number.end - text_.data());
+        } else {
+            return;
         }
     }
+}
+
+void LineParser::read_slash() {
+    if (block_.deletable.length == 0) {
+        const auto end = static_cast<std::uint32_t>(line_.size() + 1);
+        const std::uint32_t column = columns_[at_];
+        block_.deletable = {block_.line, column, end - column};
+    }
+    ++at_;
+    const bool has_number = at_ < text_.size() && is_digit(text_[at_]);
+    const bool is_alone =
+        at_ + 1 >= text_.size() || (!is_digit(text_[at_ + 1]) && text_[at_ + 1] != '.');
+    if (has_number && is_alone) ++at_;
 }
 
 }  // namespace ncsim::gcode

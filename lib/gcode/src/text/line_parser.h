@@ -67,12 +67,15 @@ private:
     bool make_clean_copy(std::string& clean);
     bool is_percent();
     bool is_console_command();
-    /// Reads block delete ('/', "/2") and the line number, in either order.
+    /// Reads block delete ('/', "/2", "/1/3") and the line number, in either order.
     void read_prefix();
+    /// Reads a '/' and the number of its switch.
+    void read_slash();
 
     // line_words.cpp
     bool read_words();
     bool read_word(std::size_t start, bool comma);
+    bool is_block_delete_at(std::size_t at) const;
     bool read_assignment();
     bool read_checksum();
 

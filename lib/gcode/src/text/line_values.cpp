@@ -90,8 +90,12 @@ bool LineParser::skip_operations() {
         const auto* found = std::ranges::find_if(
             kOperators, [&](std::string_view op) { return rest.starts_with(op); });
         if (found == kOperators.end()) return true;
+        const std::size_t before = at_;
         at_ += found->size();
-        if (!skip_value()) return false;
+        if (skip_value()) continue;
+        if (*found != "/" || reported_) return false;
+        at_ = before;  // A block delete, as in "#1=#2 /M8".
+        return true;
     }
     return true;
 }

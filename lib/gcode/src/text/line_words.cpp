@@ -34,8 +34,7 @@ bool LineParser::read_words() {
             ++at_;
             if (!read_word(start, true)) return false;
         } else if (c == '/' && !options_.strict) {
-            block_.block_delete = true;  // Fanuc: a slash in mid-line; the whole block is marked.
-            ++at_;
+            read_slash();
         } else if (is_letter(c) || c == '@' || c == '^') {
             if (reads_macro_word()) {
                 if (!good_) return false;
@@ -78,14 +77,24 @@ bool LineParser::read_word(std::size_t start, bool comma) {
         }
         return false;
     }
-    // "X#1-#2": some controls calculate without brackets.
-    const bool goes_on = at_ + 1 < text_.size() &&
+    // "X#1-#2", "X#1/2": some controls calculate without brackets. "X#1 /2 M8" has a block delete;
+    // Fanuc and Haas read "X#1/2M8" in the same way.
+    const bool may_skip = !options_.strict && is_block_delete_at(at_);
+    const bool is_skipped = may_skip && columns_[at_] > columns_[at_ - 1] + 1;
+    if (may_skip && !is_skipped) report(Message::SlashAfterValue, span(start, at_ + 2));
+    const bool goes_on = !is_skipped && at_ + 1 < text_.size() &&
                          std::string_view("+-*/").find(text_[at_]) != std::string_view::npos &&
                          starts_value(text_[at_ + 1]);
     if (goes_on && !options_.strict && !skip_operations()) return false;
     block_.words.push_back(
         {letter, comma, false, 0.0, span(start, at_), text_.substr(value, at_ - value)});
     return true;
+}
+
+/// True for "/2" in front of a letter or at the end: a block delete with the number of its switch.
+bool LineParser::is_block_delete_at(std::size_t at) const {
+    if (at + 1 >= text_.size() || text_[at] != '/' || !is_digit(text_[at + 1])) return false;
+    return at + 2 == text_.size() || is_letter(text_[at + 2]) || text_[at + 2] == '/';
 }
 
 bool LineParser::read_assignment() {

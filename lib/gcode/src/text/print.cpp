@@ -114,6 +114,14 @@ void print_number(std::string& out, double value) {
 
 void print(std::string& out, const Block& block) {
     const std::size_t start = out.size();
+    // A slash within the block is printed before the first part that it deletes.
+    bool has_slash = block.block_delete || block.deletable.length == 0;
+    const auto slash_before = [&](SourceSpan span) {
+        if (!has_slash && span.column > block.deletable.column) {
+            out += " /";
+            has_slash = true;
+        }
+    };
     if (block.block_delete) out += " /";
     if (block.has_number) print_word(out, "N", block.number);
     if (block.kind == BlockKind::Percent) out += " %";
@@ -121,9 +129,11 @@ void print(std::string& out, const Block& block) {
     if (block.kind == BlockKind::Unreadable) out.append(" unreadable");
     if (block.control.word != ControlWord::None) print_control(out, block.control);
     for (const Assignment& assignment : block.assignments) {
+        slash_before(assignment.span);
         out.append(" #").append(assignment.target).append(1, '=').append(assignment.value);
     }
     for (const Word& word : block.words) {
+        slash_before(word.span);
         out += word.comma ? " ," : " ";
         out += word.letter;
         if (word.literal) {

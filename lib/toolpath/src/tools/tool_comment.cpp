@@ -79,6 +79,19 @@ void take_taper(ToolSpec& spec, double degrees) {
     }
 }
 
+// True for "LEFT HAND TAP", "LH TAP", "L.H.", and the words of other languages.
+bool names_left_hand(std::string_view s) {
+    for (const char* const name :
+         {"LH", "L.H", "LEFT HAND", "LEFT-HAND", "LEFTHAND", "LINKS", "GAUCHE"}) {
+        if (text::find_word(s, name) != kNone) return true;
+    }
+    // These words have several endings.
+    for (const char* const begin : {"LINKSGEWINDE", "IZQUIERD", "SINISTR"}) {
+        if (s.find(begin) != kNone) return true;
+    }
+    return false;
+}
+
 // Reads (T1 D=10. CR=0. TAPER=118deg - ZMIN=-5. - flat end mill), also with a name instead of T1.
 std::optional<ToolRemark> read_fusion(std::string_view s) {
     const std::size_t d = s.find(" D=");
@@ -419,6 +432,7 @@ std::optional<ToolRemark> read_tool_remark(std::string_view comment) {
         if (auto remark = form(upper)) {
             // FreeCAD writes this comment in mm, whatever the unit of the program.
             if (upper.starts_with("COMPENSATED TOOL PATH")) remark->unit = Unit::Millimetre;
+            if (remark->spec.kind == ToolKind::Tap) remark->spec.left_hand = names_left_hand(upper);
             remark->spec.description = std::string(trimmed(comment));
             return remark;
         }

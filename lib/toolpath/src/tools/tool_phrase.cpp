@@ -174,7 +174,6 @@ private:
                 has_noun_ = true;
                 is_mill_ = word.rank != 2 && word.rank != 3;
                 if (word.rank == 3) is_thread_ = true;
-                is_left_ = is_left_ || word.text == "LEFT HAND TAP";
                 if (word.text == "CENTER DRILL" || word.text == "CENTRE DRILL")
                     is_centre_drill_ = true;
                 has_reamer_ = has_reamer_ || word.text.find("REAMER") != std::string::npos;
@@ -579,10 +578,7 @@ private:
             // The radius is more reliable than the name.
             if (is_round && spec.kind == ToolKind::FlatEndMill) spec.kind.reset();
         }
-        if (spec.kind == ToolKind::Tap) {
-            if (pitch_mm_.value_or(0.0) > 0.0) spec.pitch = pitch_mm_;
-            spec.left_hand = is_left_;
-        }
+        if (spec.kind == ToolKind::Tap && pitch_mm_.value_or(0.0) > 0.0) spec.pitch = pitch_mm_;
         spec.length = length(flute_length_);
         spec.shank_diameter = length(shank_);
         spec.stick_out = length(stick_out_);
@@ -615,7 +611,6 @@ private:
         stick_out_;
     std::optional<double> angle_;
     std::optional<double> pitch_mm_;  // of a thread
-    bool is_left_ = false;
     bool is_chamfer_ = false;
     double register_ = 0.0;
     // Evidence against a description of a tool.

@@ -89,8 +89,10 @@ struct Block {
     BlockKind kind = BlockKind::Words;
     std::uint32_t line = 0;     ///< Counted from 1.
     bool block_delete = false;  ///< The line starts with '/'.
-    bool has_number = false;    ///< The line starts with N.
-    std::uint32_t number = 0;   ///< Value of N, truncated to a whole number.
+    /// Part that block delete removes: from the first '/' to the end of the line; length 0: none.
+    SourceSpan deletable;
+    bool has_number = false;   ///< The line starts with N.
+    std::uint32_t number = 0;  ///< Value of N, truncated to a whole number.
     Control control;
     std::vector<Word> words;  ///< Words except N and O, in the order of the text.
     std::vector<Assignment> assignments;

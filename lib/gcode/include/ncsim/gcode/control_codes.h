@@ -22,6 +22,7 @@ enum ControlFeature : std::uint32_t {
     kArcsByRadius = 16,  ///< R of G2 and G3.
     kCornerWords = 32,   ///< ,R and ,C
     kBlockDelete = 64,   ///< A slash at the start of a line.
+    kSkippedRest = 128,  ///< A slash within a line: block delete skips the rest.
 };
 
 /// The codes of one control: a row of control_codes.def.

@@ -41,6 +41,7 @@ struct ProgrammedTransform {
     Plane plane = Plane::XY;  ///< Plane of G68 and G16.
     double angle = 0.0;       ///< Degrees, G68.
     double centre_1 = 0.0, centre_2 = 0.0;
+    double pole_1 = 0.0, pole_2 = 0.0;           ///< Pole of G16, in programmed coordinates.
     std::array<double, 3> scale{1.0, 1.0, 1.0};  ///< G51; a negative factor mirrors.
     std::array<double, 3> scale_centre{};
     bool operator==(const ProgrammedTransform&) const = default;

@@ -195,7 +195,7 @@ struct Interpretation {
     /// Origin and rotation of W; in machine coordinates only along axes with `frame` 0.
     WorkOffset workpiece;
     std::vector<OffsetConflict> offset_conflicts;
-    /// First block that starts with '/' and that execution reached; empty with block delete.
+    /// First block with '/' of block delete that execution reached; empty with block delete.
     std::optional<ProgramPlace> deletable;
     /// On Fanuc and Haas: first length or angle without a decimal point that would have another
     /// value in least increments. `has_points`: some number has a decimal point.

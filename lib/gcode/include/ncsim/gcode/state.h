@@ -120,6 +120,13 @@ struct MachineState {
         bool operator==(const PolarInterpolation&) const = default;
     };
     std::optional<PolarInterpolation> polar_interpolation;
+    /// Radius (active units) and angle (degrees) that the last polar words of G16 gave. A position
+    /// does not determine the sign of its radius, and the pole has no angle.
+    struct PolarWords {
+        double radius = 0.0, angle = 0.0;
+        bool operator==(const PolarWords&) const = default;
+    };
+    std::optional<PolarWords> polar_words;
     /// G7.1 (cylindrical interpolation): a rotary axis turns a cylinder.
     struct Cylinder {
         std::size_t axis = 5;

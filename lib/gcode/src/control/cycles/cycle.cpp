@@ -102,6 +102,14 @@ bool drill(MachineState& state, const Drilling& drilling, const Axes& above, Con
         to(clear, MoveKind::Rapid);
         return true;
     }
+    const bool taps = motion == Code::G74 || motion == Code::G84;
+    // Rigid tapping starts the spindle, and stops it at the end. Taps of Haas are always rigid.
+    const bool is_rigid =
+        turning == SpindleTurning::Stopped || context.rules.dialect == Dialect::Haas;
+    if (taps && is_rigid && !context.rules.is_linuxcnc()) {
+        state.spindle =
+            motion == Code::G84 ? SpindleTurning::Clockwise : SpindleTurning::Counterclockwise;
+    }
     to(bottom, MoveKind::Feed);
     switch (motion) {
         case Code::G81: to(clear, MoveKind::Rapid); break;
@@ -272,19 +280,38 @@ bool drill_cycle(MachineState& state, const Command& command, Code motion, Conte
     if (!drilling) return false;
     for (int i = 0; i < static_cast<int>(repeats); ++i) {
         if (!hole_at(state, *drilling, hole, mask, context)) return false;
+        const bool has_next = i + 1 < static_cast<int>(repeats);
+        if (state.frames.programmed.polar) {  // A step of the angle is no fixed distance.
+            if (has_next && !hole_place(state, command, hole, mask, context)) return false;
+            continue;
+        }
         for (std::size_t a = 0; a < hole.size(); ++a)
             hole[a] += step[a];
     }
     return true;
 }
 
-bool hole_place(const MachineState& state, const Command& command, Axes& hole, AxisMask& mask,
+bool hole_place(MachineState& state, const Command& command, Axes& hole, AxisMask& mask,
                 Context& context) {
     const std::size_t depth_axis = axes_of(state.plane).third;
     Command in_plane = command;
     in_plane.present &= ~(1U << letter_index(kAxisNames[depth_axis]));
     in_plane.axis_words = in_plane.has_any(kAxisLetters);
     return find_ends(state, in_plane, hole, mask, context);
+}
+
+/// Applies G51 to the heights of a cycle, and warns, because controls differ.
+void scale_heights(const MachineState& state, const Command& command, Code motion, double& r,
+                   double& bottom, Context& context) {
+    const ProgrammedTransform& t = state.frames.programmed;
+    const std::size_t axis = axes_of(state.plane).third;
+    if (!t.scaled || axis >= t.scale.size() || t.scale[axis] == 1.0) return;
+    const bool scales = context.rules.dialect != Dialect::Haas;
+    warn(context, Message::CycleScaled, command.span,
+         {name_of(motion), scales ? "they are scaled" : "they are not scaled"});
+    if (!scales) return;
+    for (double* const height : {&r, &bottom})
+        *height = t.scale_centre[axis] + t.scale[axis] * (*height - t.scale_centre[axis]);
 }
 
 std::optional<Drilling> begin_drilling(MachineState& state, const Command& command, Code motion,
@@ -298,6 +325,7 @@ std::optional<Drilling> begin_drilling(MachineState& state, const Command& comma
         r += cycle.initial;
         bottom += r;
     }
+    scale_heights(state, command, motion, r, bottom, context);
     // Back boring of Fanuc cuts upwards, from R to Z, and always goes back to the first height.
     const bool cuts_upwards = motion == Code::G87 && bottom > r && !context.rules.is_linuxcnc();
     if (bottom > r && !cuts_upwards &&

@@ -33,7 +33,7 @@ bool cycle_words(MachineState& state, const Command& command, Code motion, Conte
 void end_cycle(MachineState& state, const Setup& setup);
 bool drill_cycle(MachineState& state, const Command& command, Code motion, Context& context);
 /// Computes the position of the first hole, excluding the depth word.
-bool hole_place(const MachineState& state, const Command& command, Axes& hole, AxisMask& mask,
+bool hole_place(MachineState& state, const Command& command, Axes& hole, AxisMask& mask,
                 Context& context);
 /// Computes the heights, and moves up to R if the tool is below R.
 std::optional<Drilling> begin_drilling(MachineState& state, const Command& command, Code motion,

@@ -117,6 +117,8 @@ void FrameStack::scale_lengths(double factor) {
         gcode::scale_lengths(*axes, factor);
     programmed.centre_1 *= factor;
     programmed.centre_2 *= factor;
+    programmed.pole_1 *= factor;
+    programmed.pole_2 *= factor;
     scale(programmed.scale_centre);
     if (tilt) scale(tilt->origin);
     scale(outer_92);

@@ -10,8 +10,17 @@ namespace ncsim::gcode {
 
 bool set_programmed(MachineState& state, const Command& command, Context& context) {
     ProgrammedTransform& t = state.frames.programmed;
-    if (const Code code = command.group(Group::Polar); code != Code::None)
+    if (const Code code = command.group(Group::Polar); code != Code::None) {
         t.polar = code == Code::G16;
+        t.pole_1 = t.pole_2 = 0.0;
+        state.polar_words.reset();
+        if (t.polar && context.rules.pole_is_position) {
+            const Axes at = t.remove(state.position);
+            const PlaneAxes axes = axes_of(state.plane);
+            t.pole_1 = at[axes.first];
+            t.pole_2 = at[axes.second];
+        }
+    }
     const Code rotation = command.group(Group::Rotation);
     if (rotation == Code::G69) t.rotated = false;
     if (rotation == Code::G68) {

@@ -215,8 +215,11 @@ bool read_arc(MachineState& state, const Command& command, bool clockwise, Progr
     if (!has_centre && !command.has('R')) {
         return fail(context, Message::ArcWithoutCentre, command.span, {name, {&c1, 1}, {&c2, 1}});
     }
+    // R takes precedence over I, J and K on Fanuc controls.
+    const bool radius_counts = context.rules.dialect == Dialect::Fanuc && !context.rules.strict;
     if (has_centre && command.has('R') &&
-        !tolerate(context, Message::ArcTwoForms, span_of(command, 'R'), {name})) {
+        !tolerate(context, Message::ArcTwoForms, span_of(command, 'R'),
+                  {name, radius_counts ? "radius" : "centre"})) {
         return false;
     }
     if (!find_ends(state, command, out.end, mask, context)) return false;
@@ -225,7 +228,7 @@ bool read_arc(MachineState& state, const Command& command, bool clockwise, Progr
     if (t.scaled && t.scale[axes.first % 3] * t.scale[axes.second % 3] < 0.0) {
         turns_clockwise = !turns_clockwise;  // Mirrored.
     }
-    const bool by_radius = command.has('R') && !has_centre;
+    const bool by_radius = command.has('R') && (!has_centre || radius_counts);
     if (by_radius ? !arc_by_radius(state, command, turns_clockwise, out, context)
                   : !arc_by_centre(state, command, turns_clockwise, out, context)) {
         return false;

@@ -32,32 +32,68 @@ double rotary_end(std::size_t axis, double value, double at, const Setup& setup)
     return value;
 }
 
-/// Converts polar words. G16: the first axis word of the plane is a radius, the second an angle.
-/// "@" and "^" of RS274/NGC have the same meaning without a mode, about the origin.
-bool polar_ends(const MachineState& state, const Command& command, Axes& end, AxisMask& mask) {
-    const PlaneAxes axes = axes_of(state.plane);
-    const Axes at = state.frames.programmed.remove(state.position);
-    const double x = at[axes.first];
-    const double y = at[axes.second];
-    double radius = hypotenuse(x, y);
-    double angle = angle_of(x, y);
-    const bool by_letters = command.has('@') || command.has('^');
-    const auto take = [&](bool has, double value, double& what) {
-        if (has) what = state.incremental ? what + value : value;
-    };
-    if (by_letters) {
-        take(command.has('@'), command['@'], radius);
-        take(command.has('^'), command['^'], angle);
-    } else {
-        if ((mask & (1U << axes.first | 1U << axes.second)) == 0) return true;
-        take((mask & 1U << axes.first) != 0, command[kAxisNames[axes.first]], radius);
-        take((mask & 1U << axes.second) != 0, command[kAxisNames[axes.second]], angle);
+/// Returns the radius and the angle of the tool about the pole of G16: those of the last words if
+/// the tool is still there.
+MachineState::PolarWords polar_place(const MachineState& state, double x, double y) {
+    constexpr double kSame = 1e-6;
+    if (const auto& words = state.polar_words) {
+        const SinCos direction = sin_cos(words->angle);
+        if (std::abs(words->radius * direction.cos - x) < kSame &&
+            std::abs(words->radius * direction.sin - y) < kSame)
+            return *words;
     }
+    return {hypotenuse(x, y), angle_of(x, y)};
+}
+
+/// Converts "@" (radius) and "^" (angle) of RS274/NGC, about the origin.
+void polar_letters(const MachineState& state, const Command& command, const Axes& at, Axes& end,
+                   AxisMask& mask) {
+    const PlaneAxes axes = axes_of(state.plane);
+    double radius = hypotenuse(at[axes.first], at[axes.second]);
+    double angle = angle_of(at[axes.first], at[axes.second]);
+    if (command.has('@')) radius = state.incremental ? radius + command['@'] : command['@'];
+    if (command.has('^')) angle = state.incremental ? angle + command['^'] : command['^'];
     const SinCos direction = sin_cos(angle);
     end[axes.first] = radius * direction.cos;
     end[axes.second] = radius * direction.sin;
     mask |= 1U << axes.first | 1U << axes.second;
-    return true;
+}
+
+/// Converts polar words under G16: the first axis word of the plane is a radius, the second an
+/// angle. A missing word keeps its last value. An incremental radius begins at the tool.
+void polar_ends(MachineState& state, const Command& command, const Axes& at, Axes& end,
+                AxisMask& mask, Context& context) {
+    const PlaneAxes axes = axes_of(state.plane);
+    const AxisMask both = 1U << axes.first | 1U << axes.second;
+    if ((mask & both) == 0) return;
+    const ProgrammedTransform& frame = state.frames.programmed;
+    const bool has_radius = (mask & 1U << axes.first) != 0;
+    const bool has_angle = (mask & 1U << axes.second) != 0;
+    double pole_1 = frame.pole_1;
+    double pole_2 = frame.pole_2;
+    MachineState::PolarWords place =
+        polar_place(state, at[axes.first] - pole_1, at[axes.second] - pole_2);
+    if (has_angle) {
+        const double angle = command[kAxisNames[axes.second]];
+        place.angle = state.incremental ? place.angle + angle : angle;
+    }
+    if (has_radius) {
+        place.radius = command[kAxisNames[axes.first]];
+        if (state.incremental) {
+            pole_1 = at[axes.first];
+            pole_2 = at[axes.second];
+        }
+        if (state.incremental && has_angle) warn(context, Message::PolarIncrement, command.span);
+    }
+    const SinCos direction = sin_cos(place.angle);
+    end[axes.first] = pole_1 + place.radius * direction.cos;
+    end[axes.second] = pole_2 + place.radius * direction.sin;
+    mask |= both;
+    if (has_radius && state.incremental) {
+        state.polar_words.reset();
+    } else {
+        state.polar_words = place;
+    }
 }
 
 }  // namespace
@@ -92,7 +128,7 @@ bool needs_feed(const MachineState& state, const Command& command, std::string_v
     return tolerate(context, Message::FeedMissing, command.span, {what});
 }
 
-bool find_ends(const MachineState& state, const Command& command, Axes& end, AxisMask& mask,
+bool find_ends(MachineState& state, const Command& command, Axes& end, AxisMask& mask,
                Context& context) {
     mask = 0;
     const bool machine = command.group(Group::OneShot) == Code::G53;
@@ -100,7 +136,6 @@ bool find_ends(const MachineState& state, const Command& command, Axes& end, Axi
         return false;
     }
     constexpr std::uint32_t kPolarLetters = letters('@', '^');
-    const bool polar = state.frames.programmed.polar || command.has_any(kPolarLetters);
     const bool transformed = state.frames.programmed.changes_places();
     const bool incremental = state.incremental && !machine;
     Axes at = machine ? state.machine_position() : state.position;
@@ -119,7 +154,11 @@ bool find_ends(const MachineState& state, const Command& command, Axes& end, Axi
         end[i] = incremental ? at[i] + value : value;
         if (is_rotary(i) && !incremental) end[i] = rotary_end(i, value, at[i], context);
     }
-    if (polar && !machine && !polar_ends(state, command, end, mask)) return false;
+    if (!machine && command.has_any(kPolarLetters)) {
+        polar_letters(state, command, at, end, mask);
+    } else if (!machine && state.frames.programmed.polar) {
+        polar_ends(state, command, at, end, mask, context);
+    }
     if (machine) {
         end = state.frames.from_machine(end);
     } else if (transformed) {

@@ -31,7 +31,7 @@ bool needs_feed(const MachineState& state, const Command& command, std::string_v
                 Context& context);
 /// Computes the end position `end` of the axis words, in program coordinates, and the named axes
 /// `mask`.
-bool find_ends(const MachineState& state, const Command& command, Axes& end, AxisMask& mask,
+bool find_ends(MachineState& state, const Command& command, Axes& end, AxisMask& mask,
                Context& context);
 /// G33 is synchronised with the spindle; G33.1 taps and returns.
 bool cut_thread(MachineState& state, const Command& command, Code motion, Context& context);
