@@ -4,8 +4,8 @@
 # Package:  Debian 12, libirrlicht-dev 1.8.5+ds2-1 (headers of Irrlicht). g++ is installed.
 # Input:    the triangle 0,0,0 10,0,0 0,10,0 with points in its plane; the line from 0,0,0 to 10,0,0 and spheres; vectors, turned by 90
 #           degrees with rotateXYBy, rotateYZBy, rotateXZBy and with matrices. Source: triangle3d.h (closestPointOnTriangle: "Get the
-#           closest point on a triangle to a point on the same plane"), line3d.h (getIntersectionWithSphere: "Check if the line
-#           intersects with a shpere"; the class has a start and an end), vector3d.h (rotateXZBy: "around the Y axis and the specified center").
+#           closest point on a triangle to a point on the same plane"), line3d.h (getIntersectionWithSphere; the line has a start
+#           and an end), vector3d.h (rotateXZBy: "around the Y axis and the specified center").
 # Expected: A point inside of the triangle is its own closest point. A sphere beyond the end of the line does not intersect it. The
 #           three functions turn in the same direction as the matrices.
 # Seen:     The closest point is always on a side: for 2,3,0 inside it is 0,3,0, and for all of the 36 inner points with whole
