@@ -180,8 +180,8 @@ void add_set_up(TomlSection& job, const FirstSetUp& set_up, bool is_first) {
     table.set("assumed", open);
     if (!is_first) {
         table.set("turn", "X180").above = {
-            "Position of the part: the part of the last set-up, turned about its zero, then "
-            "moved."};
+            std::string("Position of the part: the part of the last set-up, turned about its zero, "
+                        "then moved.")};
         table.set("move", toml_value({0.0, 0.0, -set_up.height}));
     }
     table.set("start", toml_value(set_up.start)).above = {
@@ -201,8 +201,8 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
     job.comments = {fmt::format("Written by ncsim {}: what a program stood on. Lengths in mm, "
                                 "angles in degrees.",
                                 kVersion),
-                    "Values that are named in a list \"assumed\" were not specified: correct them "
-                    "and remove the name."};
+                    std::string("Values that are named in a list \"assumed\" were not specified: "
+                                "correct them and remove the name.")};
     add_head(job, file, {});
     job.set_filled("program", file.program);
     for (const OptionSetting& setting : file.settings)
@@ -259,10 +259,12 @@ void write_first_job(std::ostream& out, const JobFile& file, const JobRemarks& r
     job.comments = {
         ":schema /usr/share/doc/ncsim/docs/schemas/job.schema.json",
         "Written by ncsim init. Lengths in mm, angles in degrees.", "",
-        "A name in a list \"assumed\" stands for a value that no file specifies. Measure the value "
-        "at",
-        "the machine, correct it here, and remove the name. Until then ncsim check says \"not "
-        "proven\"."};
+        std::string(
+            "A name in a list \"assumed\" stands for a value that no file specifies. Measure "
+            "the value at"),
+        std::string(
+            "the machine, correct it here, and remove the name. Until then ncsim check says "
+            "\"not proven\".")};
     add_head(job, file, {"machine"});
     job.entries.back().describes = true;  // the dialect
     const auto form = [&job](const char* key, TomlValue value, const char* comment) {
@@ -279,8 +281,8 @@ void write_first_job(std::ostream& out, const JobFile& file, const JobRemarks& r
     add_stock_and_tools(job, file, remarks);
     if (file.stock) {
         job.tables.front().above = {
-            "Measure the blank. Its corners are in the frame of the first set-up: distances from "
-            "the",
+            std::string("Measure the blank. Its corners are in the frame of the first set-up: "
+                        "distances from the"),
             "program zero. A file: file = \"blank.stl\"."};
     }
     for (const FirstSetUp& set_up : set_ups)
