@@ -68,7 +68,7 @@ TEST(Machine, IsSavedWholeOrNotAtAll) {
     for (const char* line :
          {"below_stock = 5\n", "fixture = []\n", "[spindle]\nmin = 100\nmax = 12000\n",
           "[feed]\nmax = 8000\n", "home = [0, 0, 1]\n", "tool_change = [0, 0, 2]\n",
-          "start = [0, 0, 3]\n", "G54\" = [4, 5, 6]\n", "tool_change = 6\n",
+          "start = [0, 0, 3]\n", "G54 = [4, 5, 6]\n", "tool_change = 6\n",
           "junction_deviation = 0.02\n"})
         EXPECT_NE(saved.find(line), std::string::npos) << line << saved;
     EXPECT_EQ(folder.run({"machine", "s.toml", "--save", "t.toml"}).exit_code, 0);

@@ -18,6 +18,7 @@ ncsim_add_test(setup
     set_ups_test.cpp
     three_points_test.cpp
     toml_text_test.cpp
+    toml_writer_test.cpp
     tool_library_test.cpp
     urdf_machine_test.cpp)
 # The table of messages is private to the library.

@@ -103,19 +103,9 @@ std::string first_project(const std::string& folder) {
             fs::path(program).lexically_relative(folder).parent_path().generic_string();
         if (!below.empty()) folders.insert(below);
     }
-    std::string text =
-        "#:schema /usr/share/doc/ncsim/docs/schemas/project.schema.json\n"
-        "# Written by ncsim init: options for all NC programs in this folder and below.\n"
-        "# A key is a long option of ncsim check. The command line and job files come first.\n"
-        "version = 1\n"
-        "#machine = \"machines/mill.toml\"  # relative to this file\n"
-        "#require = [\"holder\", \"fixtures\"]\n"
-        "#max-time = 600  # seconds a program\n";
-    for (const std::string& below : folders) {
-        text += fmt::format("\n#[[program]]\n#files = [{}]\n#job = \"job.toml\"\n",
-                            one_line('"' + below + "/*\""));
-    }
-    return text;
+    std::ostringstream out;
+    setup::write_first_project(out, folders);
+    return out.str();
 }
 
 }  // namespace

@@ -39,16 +39,7 @@ public:
     void compare(const toml::table& document) const { table(document, root_, ""); }
 
 private:
-    // Follows references to definitions.
-    const Json& resolved(const Json& schema) const {
-        const auto all = schema.find("allOf");
-        const Json& target = all == schema.end() ? schema : all->front();
-        const auto reference = target.find("$ref");
-        if (reference == target.end()) return schema;
-        constexpr std::string_view kDefinitions = "#/definitions/";
-        return root_["definitions"].at(
-            reference->get_ref<const std::string&>().substr(kDefinitions.size()));
-    }
+    const Json& resolved(const Json& schema) const { return resolved_schema(root_, schema); }
 
     static std::string_view type_of(const Json& schema) {
         const auto type = schema.find("type");

@@ -13,7 +13,17 @@
 namespace ncsim::setup {
 
 /// JSON schemas, draft 7.
-extern const std::string_view kMachineSchema, kJobSchema, kHoldersSchema;
+extern const std::string_view kMachineSchema, kJobSchema, kHoldersSchema, kProjectSchema;
+
+/// Follows a reference of `schema` within the schema `root`. `Json` is a type of JSON values.
+template <class Json>
+const Json& resolved_schema(const Json& root, const Json& schema) {
+    const auto all = schema.find("allOf");
+    const Json& target = all == schema.end() ? schema : all->front();
+    const auto reference = target.find("$ref");
+    if (reference == target.end()) return schema;
+    return root.at(typename Json::json_pointer(reference->template get<std::string>().substr(1)));
+}
 
 /// Checks the keys of a document and their values: types, ranges of numbers, sizes of lists, and
 /// words of short lists. Further rules of the schema, such as required keys, are left to the

@@ -1,65 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writes job files.
+// Writes job files and project files.
 #include "ncsim/setup/job_writer.h"
 
 #include "ncsim/base/plain_text.h"
 #include "ncsim/base/version.h"
 #include "ncsim/setup/coordinate_systems.h"
 
+#include "files/schema.h"
 #include "files/toml_text.h"
+#include "files/toml_writer.h"
 #include "job/job_keys.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <ostream>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ncsim::setup {
-
-// Forms of a first job: the beginning, and a set-up.
-extern const std::string_view kFirstJob, kFirstSetUp;
 
 namespace {
 
 using toolpath::ToolKind;
 using toolpath::ToolSpec;
 
-// Returns the shortest text that reads back as the same number; always a TOML float.
-std::string number(double value) {
-    std::string text = fmt::format("{}", value);
-    if (text.find_first_of(".e") == std::string::npos) text += ".0";
-    return text;
-}
-
-std::string triple(Vec3 v) {
-    return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
-}
-
-// Returns a comment line.
+// Returns the text of a comment: one line of UTF-8.
 std::string remark(const std::string& text) {
-    std::string line = one_line(text);
-    // Comments must be UTF-8, too.
-    line = json_string(line);
-    return fmt::format("# {}\n", line.substr(1, line.size() - 2));
+    const std::string line = json_string(one_line(text));
+    return line.substr(1, line.size() - 2);
 }
 
 std::string_view key_of(ToolKind kind) {
     return std::find_if(std::begin(kKindKeys), std::end(kKindKeys),
                         [kind](const auto& k) { return k.second == kind; })
         ->first;
-}
-
-// Returns the line of a list of texts; empty for an empty list.
-std::string list_line(const char* key, const std::vector<std::string>& words) {
-    std::vector<std::string> texts(words.size());
-    std::ranges::transform(words, texts.begin(), quoted);
-    return words.empty() ? "" : fmt::format("{} = [{}]\n", key, fmt::join(texts, ", "));
 }
 
 // Adds the assumed values of the whole job to `assumed`.
@@ -69,148 +51,187 @@ std::vector<std::string> assumed_of(const JobFile& file, std::vector<std::string
     return assumed;
 }
 
-const char* units_of(const JobFile& file) {
-    return file.inches.value_or(false) ? "inch" : "mm";
+// Adds what is common to a written job and a first job. `assumed`: in addition to the values of
+// `file`.
+void add_head(TomlSection& job, const JobFile& file, std::vector<std::string> assumed) {
+    job.set("version", kJobVersion);
+    job.set_filled("assumed", assumed_of(file, std::move(assumed)));
+    job.set("units", file.inches.value_or(false) ? "inch" : "mm").describes = true;
+    job.set("dialect", gcode::name_of(file.dialect.value_or(gcode::Dialect::Auto)));
 }
 
-std::string_view dialect_of(const JobFile& file) {
-    return gcode::name_of(file.dialect.value_or(gcode::Dialect::Auto));
+// Returns lists of three numbers.
+template <class Element>
+TomlValue triples(const std::vector<Element>& elements, Vec3 (*three)(const Element&)) {
+    TomlValue all = TomlValue::array();
+    for (const Element& element : elements)
+        all.push_back(toml_value(three(element)));
+    return all;
 }
 
-// Returns the keys of a part that is turned over after the previous set-up. `height`: of the stock.
-std::string turned_over(double height) {
-    return fmt::format(
-        "# Position of the part: the part of the last set-up, turned about its zero, then moved.\n"
-        "turn = \"X180\"\nmove = {}\n",
-        triple({0.0, 0.0, -height}));
-}
-
-void write_tool(std::ostream& out, const ToolSpec& spec, Vec3 offset) {
-    out << "[[tool]]\nnumber = " << spec.number << '\n';
-    out << list_line("assumed", spec.assumed);
-    if (spec.kind) out << "kind = \"" << key_of(*spec.kind) << "\"\n";
-    for (const NamedValue& named : kValueKeys) {
-        if (const auto& value = spec.*named.value) {
-            out << named.name << " = " << number(*value) << '\n';
-        }
-    }
+void add_tool(TomlSection& tool, const ToolSpec& spec, Vec3 offset) {
+    tool.set("number", spec.number);
+    tool.set_filled("assumed", spec.assumed);
+    if (spec.kind) tool.set("kind", key_of(*spec.kind));
+    for (const NamedValue& named : kValueKeys)
+        if (const auto& value = spec.*named.value) tool.set(named.name, *value);
     for (const NamedSegments& named : kSegmentKeys) {
-        const auto& segments = spec.*named.value;
-        if (segments.empty()) continue;
-        out << named.name << " = [";
-        for (std::size_t i = 0; i < segments.size(); ++i) {
-            const toolpath::ToolSegment& step = segments[i];
-            out << (i == 0 ? "" : ", ")
-                << triple({step.lower_diameter, step.upper_diameter, step.height});
-        }
-        out << "]\n";
+        tool.set_filled(named.name,
+                        triples<toolpath::ToolSegment>(spec.*named.value, [](const auto& s) {
+                            return Vec3{s.lower_diameter, s.upper_diameter, s.height};
+                        }));
     }
-    if (!(offset == Vec3{})) out << "offset = " << triple(offset) << '\n';
-    if (!spec.description.empty()) out << "description = " << quoted(spec.description) << '\n';
+    if (!(offset == Vec3{})) tool.set("offset", toml_value(offset));
+    tool.set_filled("description", spec.description);
     for (const toolpath::ToolPiece& piece : spec.pieces) {
-        out << "[[tool.piece]]\ncutting = " << (piece.cutting ? "true" : "false")
-            << "\nprofile = [";
-        for (std::size_t i = 0; i < piece.profile.size(); ++i) {
-            const toolpath::ProfilePoint& p = piece.profile[i];
-            out << (i == 0 ? "" : ", ") << triple({p.radius, p.height, p.fillet});
-        }
-        out << "]\n";
+        TomlSection& one = tool.add("piece");
+        one.set("cutting", piece.cutting);
+        one.set("profile", triples<toolpath::ProfilePoint>(piece.profile, [](const auto& p) {
+                    return Vec3{p.radius, p.height, p.fillet};
+                }));
     }
 }
 
-void write_stock(std::ostream& out, const toolpath::Stock& stock) {
-    if (!stock.from) {
-        out << "min = " << triple(stock.box.min) << "\nmax = " << triple(stock.box.max) << '\n'
-            << (stock.is_round ? "round = true\n" : "");
-        if (stock.axis != 2)
-            out << "axis = \""
-                << "XYZ"[stock.axis] << "\"\n";
+void add_stock(TomlSection& table, const JobFile& file) {
+    const toolpath::Stock& stock = *file.stock;
+    if (stock.from) {
+        table.set("file", stock.from->path);
+        table.set_filled("turn", stock.from->turn);
+        if (!(stock.from->move == Vec3{})) table.set("move", toml_value(stock.from->move));
         return;
     }
-    out << "file = " << quoted(stock.from->path) << '\n';
-    if (!stock.from->turn.empty()) out << "turn = " << quoted(stock.from->turn) << '\n';
-    if (!(stock.from->move == Vec3{})) out << "move = " << triple(stock.from->move) << '\n';
+    std::vector<std::string> assumed;
+    if (file.stock_assumed) assumed.emplace_back("size");
+    if (file.stock_place_assumed) assumed.emplace_back("place");
+    table.set_filled("assumed", assumed);
+    table.set("min", toml_value(stock.box.min));
+    table.set("max", toml_value(stock.box.max));
+    if (stock.is_round) table.set("round", true);
+    if (stock.axis != 2) table.set("axis", std::string(1, "XYZ"[stock.axis]));
 }
 
 // Requires: no fixture is a mesh.
-void write_fixtures(std::ostream& out, const std::vector<verify::Fixture>& fixtures) {
-    for (const verify::Fixture& fixture : fixtures) {
-        out << "\n[[fixture]]\nname = " << quoted(fixture.name) << '\n';
-        if (fixture.system != 0)
-            out << "offset = " << quoted(name_of_system(fixture.system)) << '\n';
-        if (fixture.clearance_mm > 0.0)
-            out << "clearance = " << number(fixture.clearance_mm) << '\n';
-        out << "box = [" << triple(fixture.box.min) << ", " << triple(fixture.box.max) << "]\n";
+void add_fixtures(TomlSection& job, const JobFile& file) {
+    if (file.fixtures_specified && file.fixtures.empty()) job.set("fixture", TomlValue::array());
+    for (const verify::Fixture& fixture : file.fixtures) {
+        TomlSection& one = job.add("fixture");
+        one.set("name", fixture.name);
+        if (fixture.system != 0) one.set("offset", name_of_system(fixture.system));
+        if (fixture.clearance_mm > 0.0) one.set("clearance", fixture.clearance_mm);
+        one.set("box", {toml_value(fixture.box.min), toml_value(fixture.box.max)});
     }
 }
 
-void write_stock_and_tools(std::ostream& out, const JobFile& file, const JobRemarks& remarks) {
+void add_stock_and_tools(TomlSection& job, const JobFile& file, const JobRemarks& remarks) {
     if (file.stock) {
-        out << "\n[stock]\n" << remark(remarks.stock);
-        std::vector<std::string> assumed_of_stock;
-        if (file.stock_assumed) assumed_of_stock.emplace_back("size");
-        if (file.stock_place_assumed) assumed_of_stock.emplace_back("place");
-        out << list_line("assumed", assumed_of_stock);
-        write_stock(out, *file.stock);
+        TomlSection& stock = job.table("stock");
+        stock.comments.push_back(remark(remarks.stock));
+        add_stock(stock, file);
     }
     for (std::size_t i = 0; i < file.tools.size(); ++i) {
-        out << '\n';
-        for (const std::string& line : remarks.tools.at(i))
-            out << remark(line);
-        write_tool(out, file.tools[i].spec, file.tools[i].offset);
+        TomlSection& tool = job.add("tool");
+        tool.above.resize(remarks.tools.at(i).size());
+        std::ranges::transform(remarks.tools[i], tool.above.begin(), remark);
+        add_tool(tool, file.tools[i].spec, file.tools[i].offset);
     }
     for (const auto& [number, line] : remarks.unknown_tools) {
-        out << '\n'
-            << remark(fmt::format("tool {} moves from line {} on and is not described: fill in",
-                                  number, line))
-            << "#[[tool]]\n#number = " << number << "\n#kind = \"flat\"\n#diameter = 10.0\n";
+        TomlSection& tool = job.add("tool");
+        tool.above.push_back(fmt::format(
+            "tool {} moves from line {} on and is not described: fill in", number, line));
+        tool.is_off = true;
+        tool.set("number", number);
+        tool.set("kind", "flat");
+        tool.set("diameter", 10.0);
     }
+}
+
+// Adds examples of fixtures, for the user to complete.
+void add_fixture_forms(TomlSection& set_up) {
+    TomlEntry& none = set_up.set("fixture", TomlValue::array());
+    none.above = {"Fixtures, in the frame of the program. None: keep the empty list."};
+    TomlSection& vise = set_up.add("fixture");
+    vise.comment = "instead of fixture = []";
+    vise.set("vise", {{"at", {0, 0, -40}},
+                      {"along", "Y"},
+                      {"opening", 50},
+                      {"jaw_width", 120},
+                      {"jaw_height", 30},
+                      {"jaw_depth", 25}});
+    TomlSection& clamp = set_up.add("fixture");
+    clamp.set("clamp", {{"at", {-40, 0, 0}},
+                        {"toward", "-X"},
+                        {"length", 80},
+                        {"width", 25},
+                        {"height", 15},
+                        {"table", -20},
+                        {"heel", 20},
+                        {"bolt", {40, 20, 18}}});
+    vise.is_off = clamp.is_off = true;
+}
+
+// `is_first`: the first set-up of the job.
+void add_set_up(TomlSection& job, const FirstSetUp& set_up, bool is_first) {
+    TomlSection& table = job.add("setup");
+    table.set("name", set_up.name);
+    table.set("program", set_up.program);
+    std::vector<std::string> open{"fixtures"};
+    if (!set_up.start_is_specified) open.insert(open.begin(), "start");
+    if (!is_first) open.emplace_back("place");
+    table.set("assumed", open);
+    if (!is_first) {
+        table.set("turn", "X180").above = {
+            std::string("Position of the part: the part of the last set-up, turned about its zero, "
+                        "then moved.")};
+        table.set("move", toml_value({0.0, 0.0, -set_up.height}));
+    }
+    table.set("start", toml_value(set_up.start)).above = {
+        "Position of the tool when the program starts, from the zero of G54."};
+    TomlEntry& offsets = table.set(
+        "offsets", TomlValue::object({{set_up.zero, toml_value({-250.0, -200.0, -300.0})}}));
+    offsets.above = {fmt::format(
+        "Origin of {} in machine coordinates, from the offset table of the control.", set_up.zero)};
+    offsets.is_off = true;
+    add_fixture_forms(table);
 }
 
 }  // namespace
 
 void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks) {
-    out << "# Written by ncsim " << kVersion
-        << ": what a program stood on. Lengths in mm, angles in degrees.\n"
-        << "# Values that are named in a list \"assumed\" were not specified: correct them and "
-           "remove the name.\n"
-        << "version = " << kJobVersion << '\n';
-    out << list_line("assumed", assumed_of(file, {}));
-    if (!file.program.empty()) out << "program = " << quoted(file.program) << '\n';
+    TomlSection job;
+    job.comments = {fmt::format("Written by ncsim {}: what a program stood on. Lengths in mm, "
+                                "angles in degrees.",
+                                kVersion),
+                    std::string("Values that are named in a list \"assumed\" were not specified: "
+                                "correct them and remove the name.")};
+    add_head(job, file, {});
+    job.set_filled("program", file.program);
     for (const OptionSetting& setting : file.settings)
-        out << setting.option << " = " << quoted(setting.values.at(0)) << '\n';
-    out << "units = \"" << units_of(file)
-        << "\"  # where neither G20 nor G21 stands before the first length\ndialect = \""
-        << dialect_of(file) << "\"\n";
-    if (file.strict) out << "strict = true\n";
-    const auto flag = [&out](const char* key, const std::optional<bool>& value) {
-        if (value) out << key << (*value ? " = true\n" : " = false\n");
+        job.set(setting.option, setting.values.at(0));
+    if (file.strict) job.set("strict", true);
+    if (file.increments) job.set("increments", *file.increments);
+    if (file.block_delete) job.set("block_delete", *file.block_delete);
+    job.set_filled("allow", file.allow);
+    job.set_filled("accept", file.accept);
+    job.set_filled("require", file.require);
+    if (file.start) job.set("start", toml_value(*file.start)).describes = true;
+    if (file.below_stock) job.set("below_stock", *file.below_stock);
+    const auto add_table = [&job](const char* name, const auto& values, const auto& key,
+                                  const auto& value) -> TomlSection* {
+        if (values.empty()) return nullptr;
+        TomlSection& table = job.table(name);
+        for (const auto& [number, one] : values)
+            table.set(key(number), value(one));
+        return &table;
     };
-    flag("increments", file.increments);
-    flag("block_delete", file.block_delete);
-    out << list_line("allow", file.allow);
-    out << list_line("accept", file.accept);
-    out << list_line("require", file.require);
-    if (file.start) out << "start = " << triple(*file.start) << "  # in G54\n";
-    if (file.below_stock) out << "below_stock = " << number(*file.below_stock) << '\n';
-    if (file.fixtures_specified && file.fixtures.empty()) out << "fixture = []\n";
-    if (!file.offsets.empty()) {
-        out << "\n[offsets]\n";
-        for (const auto& [system, origin] : file.offsets)
-            out << quoted(name_of_system(system)) << " = " << triple(origin) << '\n';
-    }
-    if (!file.variables.empty()) {
-        out << "\n[variables]\n";
-        for (const auto& [name, value] : file.variables)
-            out << quoted(name) << " = " << number(value) << '\n';
-    }
-    if (!file.compensation.empty()) {
-        out << "\n[compensation]  # radii of G41 and G42, mm\n";
-        for (const auto& [d, radius] : file.compensation)
-            out << 'D' << d << " = " << number(radius) << '\n';
-    }
-    write_stock_and_tools(out, file, remarks);
-    write_fixtures(out, file.fixtures);
+    add_table("offsets", file.offsets, name_of_system, toml_value);
+    add_table("variables", file.variables, std::identity(), std::identity());
+    const auto name_of_register = [](int number) { return fmt::format("D{}", number); };
+    if (TomlSection* const radii =
+            add_table("compensation", file.compensation, name_of_register, std::identity()))
+        radii->describes = true;
+    add_stock_and_tools(job, file, remarks);
+    add_fixtures(job, file);
+    out << toml_text(kJobSchema, job, {});
 }
 
 void write_tool_table(std::ostream& out, const std::vector<toolpath::ToolEntry>& tools,
@@ -234,29 +255,63 @@ void write_tool_table(std::ostream& out, const std::vector<toolpath::ToolEntry>&
 
 void write_first_job(std::ostream& out, const JobFile& file, const JobRemarks& remarks,
                      const std::vector<FirstSetUp>& set_ups) {
-    out << fmt::format(fmt::runtime(kFirstJob), fmt::arg("version", kJobVersion),
-                       fmt::arg("assumed", list_line("assumed", assumed_of(file, {"machine"}))),
-                       fmt::arg("units", units_of(file)), fmt::arg("dialect", dialect_of(file)));
+    TomlSection job;
+    job.comments = {
+        ":schema /usr/share/doc/ncsim/docs/schemas/job.schema.json",
+        "Written by ncsim init. Lengths in mm, angles in degrees.", "",
+        std::string(
+            "A name in a list \"assumed\" stands for a value that no file specifies. Measure "
+            "the value at"),
+        std::string(
+            "the machine, correct it here, and remove the name. Until then ncsim check says "
+            "\"not proven\".")};
+    add_head(job, file, {"machine"});
+    job.entries.back().describes = true;  // the dialect
+    const auto form = [&job](const char* key, TomlValue value, const char* comment) {
+        TomlEntry& entry = job.set(key, std::move(value));
+        entry.above = {comment};
+        entry.is_off = true;
+    };
+    form("machine", "mill.toml",
+         "The machine: travels, rates, kinematics. Without a machine, remove the name above.");
+    form("require", {"holder", "fixtures", "travels", "offsets"},
+         "What has to be known for a clean check:");
+    form("outputs", {{"png", "part.png"}, {"step", "part.step"}},
+         "Files of ncsim run, below the folder of this file:");
+    add_stock_and_tools(job, file, remarks);
     if (file.stock) {
-        out << "\n# Measure the blank. Its corners are in the frame of the first set-up: distances "
-               "from the\n# program zero. A file: file = \"blank.stl\".";
+        job.tables.front().above = {
+            std::string("Measure the blank. Its corners are in the frame of the first set-up: "
+                        "distances from the"),
+            "program zero. A file: file = \"blank.stl\"."};
     }
-    write_stock_and_tools(out, file, remarks);
-    for (const FirstSetUp& set_up : set_ups) {
-        const bool is_first = &set_up == &set_ups.front();
-        std::vector<std::string> open;
-        if (!set_up.start_is_specified) open.emplace_back("start");
-        open.emplace_back("fixtures");
-        if (!is_first) open.emplace_back("place");
-        const bool is_key = set_up.zero.find(' ') == std::string::npos;
-        out << fmt::format(fmt::runtime(kFirstSetUp), fmt::arg("name", quoted(set_up.name)),
-                           fmt::arg("program", quoted(set_up.program)),
-                           fmt::arg("assumed", list_line("assumed", open)),
-                           fmt::arg("start", triple(set_up.start)),
-                           fmt::arg("place", is_first ? std::string() : turned_over(set_up.height)),
-                           fmt::arg("zero", set_up.zero),
-                           fmt::arg("key", is_key ? set_up.zero : quoted(set_up.zero)));
+    for (const FirstSetUp& set_up : set_ups)
+        add_set_up(job, set_up, &set_up == &set_ups.front());
+    out << toml_text(kJobSchema, job, {});
+}
+
+void write_first_project(std::ostream& out, const std::set<std::string>& folders) {
+    TomlSection project;
+    project.comments = {
+        ":schema /usr/share/doc/ncsim/docs/schemas/project.schema.json",
+        "Written by ncsim init: options for all NC programs in this folder and below.",
+        "A key is a long option of ncsim check. The command line and job files come first."};
+    project.set("version", 1);
+    const auto form = [&project](const char* key, TomlValue value) -> TomlEntry& {
+        TomlEntry& entry = project.set(key, std::move(value));
+        entry.is_off = true;
+        return entry;
+    };
+    form("machine", "machines/mill.toml").comment = "relative to this file";
+    form("require", {"holder", "fixtures"});
+    form("max-time", 600).describes = true;
+    for (const std::string& folder : folders) {
+        TomlSection& programs = project.add("program");
+        programs.is_off = true;
+        programs.set("files", TomlValue::array({folder + "/*"}));
+        programs.set("job", "job.toml");
     }
+    out << toml_text(kProjectSchema, project, {});
 }
 
 }  // namespace ncsim::setup

@@ -5,13 +5,18 @@
 
 #include "ncsim/setup/coordinate_systems.h"
 
-#include "files/toml_text.h"
+#include "files/schema.h"
+#include "files/toml_writer.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <optional>
 #include <ranges>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ncsim::setup {
@@ -53,54 +58,54 @@ std::size_t count_of_part(const machine::Chain& chain) {
     return static_cast<std::size_t>(straight - chain.joints.begin());
 }
 
-void add_link(std::string& text, const MachineFile& file, const machine::Joint& joint,
-              std::string_view parent) {
-    text += fmt::format("[[link]]\nname = \"{}\"\n", joint.letter);
-    if (!parent.empty()) text += fmt::format("parent = \"{}\"\n", parent);
-    text += fmt::format("axis = \"{}\"\n{} = {}\n", joint.letter,
-                        joint.turns ? "turns_about" : "moves_along", vector(joint.direction));
+TomlValue range(double min, double max) {
+    return {min, max};
+}
+
+void add_link(TomlSection& machine, const MachineFile& file, const machine::Joint& joint,
+              const std::string& parent) {
+    TomlSection& link = machine.add("link");
+    const std::string letter(1, joint.letter);
+    link.set("name", letter);
+    link.set_filled("parent", parent);
+    link.set("axis", letter);
+    link.set(joint.turns ? "turns_about" : "moves_along", toml_value(joint.direction));
     if (!joint.turns) return;
     const setup::SpecifiedKinematics& specified = *file.kinematics;
     if (specified.unspecified_pivots.find(joint.letter) == std::string::npos)
-        text += fmt::format("through = {}\n", vector(joint.through));
+        link.set("through", toml_value(joint.through));
     if (const auto travel = specified.travels.find(joint.letter); travel != specified.travels.end())
-        text += fmt::format("travel = [{}, {}]\n", travel->second.min, travel->second.max);
+        link.set("travel", range(travel->second.min, travel->second.max));
     const RotaryWay way = file.rotary_ways[static_cast<std::size_t>(joint.letter - 'A')];
-    if (way != RotaryWay::Linear) text += fmt::format("way = \"{}\"\n", name_of(way));
+    if (way != RotaryWay::Linear) link.set("way", name_of(way));
 }
 
-// Adds a line for each specified axis.
+// Adds a table with a key for each specified axis.
 template <class Values, class Print>
-void add_axes(std::string& text, std::string_view table, const Values& values, const Print& print) {
+void add_axes(TomlSection& machine, const char* name, const Values& values, const Print& print) {
     if (std::ranges::none_of(values, [](const auto& v) { return v.has_value(); })) return;
-    text += fmt::format("[{}]\n", table);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (values[i]) text += fmt::format("{} = {}\n", "xyz"[i], print(*values[i]));
-    }
+    TomlSection& table = machine.table(name);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (values[i]) table.set(std::string(1, "xyz"[i]), print(*values[i]));
 }
 
-// Adds offsets of the table, with a key per number.
-void add_table_offsets(std::vector<std::string>& keys, std::string_view name,
+TomlValue vector_value(const std::array<double, 3>& v) {
+    return toml_value({v[0], v[1], v[2]});
+}
+
+// Adds offsets of the table to the functions of the control, with a key per number.
+void add_table_offsets(TomlValue& control, const std::string& name,
                        const gcode::TableOffsets& offsets) {
-    std::string all;
     for (const auto& [number, specified] : offsets.by_number) {
-        std::string at;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (specified.at[i] != 0.0)
-                at += fmt::format("{}{} = {}", at.empty() ? " " : ", ", "ABC"[i], specified.at[i]);
-        }
-        if (!at.empty()) at += " ";
-        const auto three = [](const std::array<double, 3>& v) {
-            return vector({v[0], v[1], v[2]});
-        };
-        const std::string turns = specified.turns == std::array<double, 3>{}
-                                      ? std::string()
-                                      : ", turns = " + three(specified.turns);
-        all += fmt::format("{}P{} = {{ offset = {}, at = {{{}}}{} }}", all.empty() ? "" : ", ",
-                           number, three(specified.offset), at, turns);
+        TomlValue& one = control[name + "s"][fmt::format("P{}", number)];
+        one["offset"] = vector_value(specified.offset);
+        one["at"] = TomlValue::object();
+        for (std::size_t i = 0; i < 3; ++i)
+            if (specified.at[i] != 0.0) one["at"][std::string(1, "ABC"[i])] = specified.at[i];
+        if (specified.turns != std::array<double, 3>{})
+            one["turns"] = vector_value(specified.turns);
     }
-    if (!all.empty()) keys.push_back(fmt::format("{}s = {{ {} }}", name, all));
-    if (offsets.moves) keys.push_back(fmt::format("{}_moves = {}", name, *offsets.moves));
+    if (offsets.moves) control[name + "_moves"] = *offsets.moves;
 }
 
 // Describes the offsets of the table that `code` selects.
@@ -122,49 +127,64 @@ std::string sheet_of(std::string_view code, const gcode::TableOffsets& offsets) 
     return text;
 }
 
-std::string control_toml(const MachineFile& file) {
-    const gcode::TipControl& control = file.tip_control;
-    std::vector<std::string> keys;
-    std::string codes;
-    for (const auto& [number, mode] : control.m_codes)
-        codes += fmt::format("{}M{} = \"{}\"", codes.empty() ? "" : ", ", number, name_of(mode));
-    if (!codes.empty()) keys.push_back(fmt::format("m_codes = {{ {} }}", codes));
-    std::string modes;
-    for (const Coordinates mode : control.kinematics)
-        modes += fmt::format("{}\"{}\"", modes.empty() ? "" : ", ", name_of(mode));
-    if (!modes.empty()) keys.push_back(fmt::format("kinematics = [{}]", modes));
-    if (control.at_start == Coordinates::Tip) keys.emplace_back("at_start = \"tip\"");
-    if (control.by_length_word) keys.emplace_back("tip_frame = \"table\"");
-    if (control.frame_at_zero) keys.emplace_back("tip_frame_at = \"zero\"");
+TomlValue control_value(const MachineFile& file) {
+    const gcode::TipControl& tip = file.tip_control;
+    TomlValue control;
+    for (const auto& [number, mode] : tip.m_codes)
+        control["m_codes"][fmt::format("M{}", number)] = name_of(mode);
+    for (const Coordinates mode : tip.kinematics)
+        control["kinematics"].push_back(name_of(mode));
+    if (tip.at_start == Coordinates::Tip) control["at_start"] = "tip";
+    if (tip.by_length_word) control["tip_frame"] = "table";
+    if (tip.frame_at_zero) control["tip_frame_at"] = "zero";
     if (file.kinematics->prefer == machine::SolutionPreference::EndPositive)
-        keys.emplace_back("orient = \"positive\"");
+        control["orient"] = "positive";
     if (file.kinematics->prefer == machine::SolutionPreference::EndNegative)
-        keys.emplace_back("orient = \"negative\"");
-    add_table_offsets(keys, "fixture_offset", file.fixture_offsets);
-    add_table_offsets(keys, "setting_error", file.setting_errors);
-    if (file.setting_errors.axes_take_turns) keys.emplace_back("setting_error_turns_axes = true");
-    if (keys.empty()) return {};
-    return fmt::format("control = {{ {} }}\n", fmt::join(keys, ", "));
+        control["orient"] = "negative";
+    add_table_offsets(control, "fixture_offset", file.fixture_offsets);
+    add_table_offsets(control, "setting_error", file.setting_errors);
+    if (file.setting_errors.axes_take_turns) control["setting_error_turns_axes"] = true;
+    return control;
 }
 
-std::string clamps_toml(const MachineFile& file) {
-    if (file.clamps.empty()) return {};
-    std::string clamps;
+TomlValue clamps_value(const MachineFile& file) {
+    TomlValue clamps;
     for (const gcode::RotaryClamp& c : file.clamps) {
-        clamps += fmt::format("{}{} = [\"M{}\", \"M{}\"]", clamps.empty() ? "" : ", ", c.letter,
-                              c.clamp, c.release);
+        clamps[std::string(1, c.letter)] = {fmt::format("M{}", c.clamp),
+                                            fmt::format("M{}", c.release)};
     }
-    return fmt::format("clamps = {{ {} }}\n", clamps);
+    return clamps;
 }
 
-std::string ways_toml(const MachineFile& file) {
-    std::string ways;
+TomlValue ways_value(const MachineFile& file) {
+    TomlValue ways;
     for (std::size_t i = 0; i < file.rotary_ways.size(); ++i) {
-        if (file.rotary_ways[i] == RotaryWay::Linear) continue;
-        ways += fmt::format("{}{} = \"{}\"", ways.empty() ? "" : ", ", "ABC"[i],
-                            name_of(file.rotary_ways[i]));
+        if (file.rotary_ways[i] != RotaryWay::Linear)
+            ways[std::string(1, "ABC"[i])] = name_of(file.rotary_ways[i]);
     }
-    return ways.empty() ? ways : fmt::format("way = {{ {} }}\n", ways);
+    return ways;
+}
+
+// Adds the links from the bed to the part and to the tool. Returns the link that carries the tool.
+std::string add_links(TomlSection& machine, const MachineFile& file) {
+    const machine::Chain& chain = file.kinematics->chain;
+    const std::size_t of_part = count_of_part(chain);
+    machine.add("link").set("name", "bench");
+    std::string part, tool;
+    for (std::size_t i = of_part; i-- > 0;) {
+        add_link(machine, file, chain.joints[i], part);
+        part = chain.joints[i].letter;
+    }
+    for (std::size_t i = of_part; i < chain.joints.size(); ++i) {
+        if (is_along_tool(chain.joints[i])) {
+            machine.set("along_tool", std::string(1, chain.joints[i].letter));
+            continue;
+        }
+        add_link(machine, file, chain.joints[i], tool);
+        tool = chain.joints[i].letter;
+    }
+    machine.set("part", TomlValue::object({{"link", part.empty() ? "bench" : part}}));
+    return tool.empty() ? "bench" : tool;
 }
 
 }  // namespace
@@ -242,67 +262,58 @@ std::string not_in_machine_toml(const MachineFile& file) {
 }
 
 std::string machine_toml(const MachineFile& file) {
-    // Keys without a table come first: after a [table] they would belong to that table.
     const verify::MachineDescription& m = file.machine;
-    std::string text;
-    if (!m.name.empty()) text += fmt::format("name = {}\n", quoted(m.name));
-    if (file.kinematics && !file.kinematics->guess.empty())
-        text += fmt::format("assumed = {}\n", quoted(file.kinematics->guess));
-    if (m.below_stock != 0.0) text += fmt::format("below_stock = {}\n", m.below_stock);
-    if (m.path_deviation) text += fmt::format("path_deviation = {}\n", *m.path_deviation);
-    if (m.fixtures_specified && m.fixtures.empty()) text += "fixture = []\n";
-    text += clamps_toml(file);
-    std::string spindle, links;
+    TomlSection machine;
+    machine.set_filled("name", m.name);
+    if (file.kinematics) machine.set_filled("assumed", file.kinematics->guess);
+    if (m.below_stock != 0.0) machine.set("below_stock", m.below_stock);
+    if (m.path_deviation) machine.set("path_deviation", *m.path_deviation);
+    if (m.fixtures_specified && m.fixtures.empty()) machine.set("fixture", TomlValue::array());
+    machine.set_filled("clamps", clamps_value(file));
+    const auto add_table = [&machine](
+                               const char* name,
+                               std::initializer_list<std::pair<const char*, TomlValue>> values) {
+        const auto is_set = [](const auto& value) { return !value.second.is_null(); };
+        if (std::ranges::none_of(values, is_set)) return;
+        TomlSection& table = machine.table(name);
+        for (const auto& [key, value] : values)
+            table.set_filled(key, value);
+    };
+    const auto value_of = [](const auto& value) {
+        if constexpr (requires { value->x; })
+            return value ? toml_value(*value) : TomlValue();
+        else
+            return value ? TomlValue(*value) : TomlValue();
+    };
+    TomlValue spindle;
     if (file.kinematics) {
-        text += control_toml(file);
-        const machine::Chain& chain = file.kinematics->chain;
-        const std::size_t of_part = count_of_part(chain);
-        links = "[[link]]\nname = \"bench\"\n";
-        std::string part = "bench", tool = "bench";
-        for (std::size_t i = of_part; i-- > 0;) {
-            add_link(links, file, chain.joints[i], part == "bench" ? "" : part);
-            part = chain.joints[i].letter;
-        }
-        for (std::size_t i = of_part; i < chain.joints.size(); ++i) {
-            if (is_along_tool(chain.joints[i])) {
-                text += fmt::format("along_tool = \"{}\"\n", chain.joints[i].letter);
-                continue;
-            }
-            add_link(links, file, chain.joints[i], tool == "bench" ? "" : tool);
-            tool = chain.joints[i].letter;
-        }
-        text += fmt::format("part = {{ link = \"{}\" }}\n", part);
-        spindle = fmt::format("link = \"{}\"\n", tool);
+        machine.set_filled("control", control_value(file));
+        spindle = add_links(machine, file);
     } else {
-        text += ways_toml(file);
+        machine.set_filled("way", ways_value(file));
     }
-    const auto range = [](const verify::AxisRange& r) {
-        return fmt::format("[{}, {}]", r.min, r.max);
-    };
-    const auto number = [](double v) { return fmt::format("{}", v); };
-    const auto line = [](const char* key, const auto& value, const auto& print) {
-        return value ? fmt::format("{} = {}\n", key, print(*value)) : std::string();
-    };
-    const auto add_table = [&text](const char* name, const std::string& lines) {
-        if (!lines.empty()) text += fmt::format("[{}]\n{}", name, lines);
-    };
-    add_axes(text, "travel", m.travel, range);
-    add_axes(text, "rapid", m.rapid, number);
-    add_axes(text, "acceleration", m.acceleration, number);
-    add_table("spindle", spindle + line("min", m.min_rpm, number) + line("max", m.max_rpm, number));
-    add_table("feed", line("max", m.max_feed, number));
-    add_table("position", line("home", m.home, vector) +
-                              line("tool_change", m.tool_change, vector) +
-                              line("start", file.start, vector));
+    const auto number = [](double v) { return TomlValue(v); };
+    add_axes(machine, "travel", m.travel,
+             [](const verify::AxisRange& r) { return range(r.min, r.max); });
+    add_axes(machine, "rapid", m.rapid, number);
+    add_axes(machine, "acceleration", m.acceleration, number);
+    add_table("spindle",
+              {{"link", spindle}, {"min", value_of(m.min_rpm)}, {"max", value_of(m.max_rpm)}});
+    add_table("feed", {{"max", value_of(m.max_feed)}});
+    add_table("position", {{"home", value_of(m.home)},
+                           {"tool_change", value_of(m.tool_change)},
+                           {"start", value_of(file.start)}});
     std::optional<double> junction;
     if (m.junction_deviation != verify::MachineDescription().junction_deviation)
         junction = m.junction_deviation;
-    add_table("time", line("tool_change", m.tool_change_seconds, number) +
-                          line("junction_deviation", junction, number));
-    if (!file.offsets.empty()) text += "[offsets]\n";
-    for (const auto& [system, origin] : file.offsets)
-        text += fmt::format("\"{}\" = {}\n", name_of_system(system), vector(origin));
-    return text + links;
+    add_table("time", {{"tool_change", value_of(m.tool_change_seconds)},
+                       {"junction_deviation", value_of(junction)}});
+    if (!file.offsets.empty()) {
+        TomlSection& offsets = machine.table("offsets");
+        for (const auto& [system, origin] : file.offsets)
+            offsets.set(name_of_system(system), toml_value(origin));
+    }
+    return toml_text(kMachineSchema, machine, {.blank_lines = false, .decimal_point = false});
 }
 
 }  // namespace ncsim::setup

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,5 +46,9 @@ void write_tool_table(std::ostream& out, const std::vector<toolpath::ToolEntry>&
 
 /// Writes a file for parse_job_file(). Paths are written as in `file`.
 void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks);
+
+/// Writes a first ncsim.toml, with a section to be completed for each folder with programs.
+/// `folders`: relative to the folder of the file.
+void write_first_project(std::ostream& out, const std::set<std::string>& folders);
 
 }  // namespace ncsim::setup
