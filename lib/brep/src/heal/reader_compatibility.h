@@ -20,8 +20,8 @@ void split_wide_edges(Part& part);
 /// nothing.
 void shrink_touching_ellipses(Part& part);
 
-/// Divides the edges of faces between two edges that are at most 0.1 mm apart in the middle. Readers
-/// draw chords; if both edges become one chord, readers draw nothing of the face.
+/// Divides the edges of faces between two edges that are at most 0.1 mm apart in the middle.
+/// Readers draw chords; if both edges become one chord, readers draw nothing of the face.
 void split_edges_of_lenses(Part& part);
 
 }  // namespace ncsim::brep
