@@ -16,44 +16,25 @@ namespace ncsim::brep {
 
 namespace {
 
-// Divides the spline at a parameter. The second half starts at 0.
-EdgeHalves halves_of(const Spline& spline, double place) {
-    auto [first, second] = divided_at(spline, place);
-    const double begin = second.knots.front();
-    for (double& knot : second.knots)
-        knot -= begin;
-    const Vec3 middle = second.points.front();
-    return {middle, std::move(first), std::move(second)};
-}
-
-// Returns the parameter at `at`, or a knot within a thousandth of its piece.
+// Returns `at`, or the place of a knot within a thousandth of its piece.
 double near_knot(const Spline& spline, double at) {
     const auto& k = spline.knots;
-    const double place = k.front() + at * (k.back() - k.front());
+    const double length = k.back() - k.front(), place = k.front() + at * length;
     const std::size_t i = piece_at(spline, place);
     const double width = k[i + 1] - k[i];
-    if (place - k[i] < 1e-3 * width && i > 0) return k[i];
-    if (k[i + 1] - place < 1e-3 * width && i + 2 < k.size()) return k[i + 1];
-    return place;
+    if (place - k[i] < 1e-3 * width && i > 0) return (k[i] - k.front()) / length;
+    if (k[i + 1] - place < 1e-3 * width && i + 2 < k.size()) return (k[i + 1] - k.front()) / length;
+    return at;
 }
 
 }  // namespace
 
-EdgeHalves divide_edge(const Part& part, const Edge& edge, double at) {
-    if (const auto* spline = std::get_if<Spline>(&edge.curve)) {
-        const auto& k = spline->knots;
-        return halves_of(*spline, k.front() + at * (k.back() - k.front()));
-    }
-    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
-    return {point_in_file(track, track.at(at)), edge.curve, edge.curve};
-}
-
 std::optional<EdgeHalves> split_edge(const Part& part, const Edge& edge, double at) {
     if (std::holds_alternative<Line>(edge.curve)) return std::nullopt;
     if (const auto* spline = std::get_if<Spline>(&edge.curve)) {
-        const std::size_t knots = spline->knots.size();
-        if (knots < 3) return std::nullopt;
-        return halves_of(*spline, spline->knots[knots / 2]);
+        const auto& k = spline->knots;
+        if (k.size() < 3) return std::nullopt;
+        return divide_edge(part, edge, (k[k.size() / 2] - k.front()) / (k.back() - k.front()));
     }
     const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
     return EdgeHalves{track.at(at), edge.curve, edge.curve};
@@ -70,8 +51,8 @@ bool EdgeSplitter::divide(std::uint32_t number, double at) {
     if (number >= second_.size() || second_[number] != kNone) return false;
     const Edge& edge = part_.edges[number];
     const auto* spline = std::get_if<Spline>(&edge.curve);
-    return replace(
-        number, spline ? halves_of(*spline, near_knot(*spline, at)) : split_edge(part_, edge, at));
+    return replace(number, spline ? divide_edge(part_, edge, near_knot(*spline, at))
+                                  : split_edge(part_, edge, at));
 }
 
 bool EdgeSplitter::replace(std::uint32_t number, std::optional<EdgeHalves> halves) {

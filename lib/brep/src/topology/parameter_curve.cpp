@@ -5,7 +5,6 @@
 #include "ncsim/brep/parameter_curve.h"
 
 #include "ncsim/base/angles.h"
-#include "ncsim/brep/divided_edge.h"
 #include "ncsim/brep/frames.h"
 
 #include "geometry/spline_surface.h"
@@ -377,17 +376,6 @@ std::optional<ParameterCurve> ParameterSurface::curve_of(const Part& part, const
     if (std::holds_alternative<Line>(edge.curve) && !patch_ && !is_half_) return std::nullopt;
     const FileCurve curve(part, edge);
     return Fitter(*this, curve).fit();
-}
-
-std::array<ParameterCurve, 2> divide_curve(const ParameterCurve& curve, const Part& part,
-                                           const Edge& edge, double at) {
-    const auto& k = curve.knots;
-    auto halves = divided_at(curve, k.front() + at * (k.back() - k.front()));
-    auto& rest = halves[1].knots;
-    const double shift = ParameterSurface::begin_of_rest(part, edge, at) - rest.front();
-    for (double& knot : rest)
-        knot += shift;
-    return halves;
 }
 
 }  // namespace ncsim::brep
