@@ -161,8 +161,8 @@ double ParameterSurface::farthest() const {
     return std::holds_alternative<Cone>(form_) ? 2.0 * kPointError : kTangencyGapMm;
 }
 
-// Where parameter lines touch, steps from the nearest knot may end elsewhere, so the steps
-// start from several ones.
+// Searches from the four nearest knots, because steps from the nearest knot may miss the place if
+// parameter lines touch.
 std::optional<ParameterSurface::Place> ParameterSurface::place_on_patch(Vec3 p) const {
     std::vector<std::pair<double, Place>> knots;
     knots.reserve(patch_->around.size() * patch_->along.size());
