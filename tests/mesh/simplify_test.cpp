@@ -282,6 +282,20 @@ TEST(Simplify, OfAPlainBoundaryIsThatOfAnyBoundary) {
     EXPECT_GT(plain_parts, 60);
 }
 
+// If joined faces were off by more than the tolerance, simplify() would begin again with less.
+TEST(JoinFaces, AreThoseOfSimplifyWithoutAMeasurement) {
+    for (int i = 0; i < 60; ++i) {
+        const cda::Boundary part = i % 2 == 0 ? drilled_plate(1 + i % 5, i / 60.0)
+                                              : random_part(static_cast<std::uint64_t>(i));
+        for (const double tolerance : {0.0, 1e-4, 1e-2, 0.3, 1.0}) {
+            SCOPED_TRACE(std::to_string(i) + ", " + std::to_string(tolerance) + " mm");
+            const Simplified whole = simplify(part, tolerance);
+            const JoinedFaces faces = join_faces(part, tolerance);
+            expect_same(whole, {faces, whole.deviation_mm, whole.mesh});
+        }
+    }
+}
+
 TEST(Simplify, HandsOutTheTrianglesOfItsBoundary) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         const Simplified result = simplify(random_part(seed), 1e-2);

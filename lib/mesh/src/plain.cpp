@@ -138,7 +138,7 @@ std::optional<Simplified> plain_boundary(const cda::Boundary& boundary, double s
                                          const Provenance* lines) {
     if (!are_all_corners(boundary) || any_are_joinable(boundary, share_mm, lines))
         return std::nullopt;
-    Simplified result{boundary, {}, 0.0, {}};
+    Simplified result{{boundary, {}}, 0.0, {}};
     result.origins.reserve(boundary.faces.size());
     for (cda::BoundaryFace& face : result.boundary.faces) {
         Vec3 area;

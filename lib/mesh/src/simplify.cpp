@@ -376,9 +376,16 @@ void remove_unused_vertices(cda::Boundary& boundary) {
     }
 }
 
-Simplified simplify_steps(const cda::Boundary& boundary, TriangleMesh mesh, double share,
-                          const Provenance* lines) {
-    remove_slivers(mesh, share);
+struct Thinned {
+    JoinedFaces faces;
+    // False if thin triangles were removed, which may add up to more than the tolerance. Groups,
+    // chains and new planes are off by at most a share each.
+    bool is_near = true;
+};
+
+Thinned simplify_steps(const cda::Boundary& boundary, TriangleMesh mesh, double share,
+                       const Provenance* lines) {
+    const bool is_near = !remove_slivers(mesh, share);
     cda::Boundary work = boundary_of(mesh, boundary);
     drop_flakes(work, share);
     if (work.faces.empty()) return {};
@@ -397,7 +404,7 @@ Simplified simplify_steps(const cda::Boundary& boundary, TriangleMesh mesh, doub
         if (!is_right_way || farthest_from_plane(merged.boundary.vertices, face) > share)
             fit_plane(merged.boundary.vertices, face);
     }
-    return {std::move(merged.boundary), std::move(merged.origins), 0.0, {}};
+    return {{std::move(merged.boundary), std::move(merged.origins)}, is_near};
 }
 
 // Returns `mesh` without the shells that vanished. A flake thinner than the tolerance may vanish
@@ -418,23 +425,35 @@ TriangleMesh remove_lost_shells(TriangleMesh mesh, const cda::Boundary& before,
     return mesh;
 }
 
+// Without `has_mesh`, the result may have no triangles and no deviation.
+Simplified simplify(const cda::Boundary& boundary, double tolerance_mm, const Provenance* lines,
+                    bool has_mesh) {
+    if (boundary.faces.empty()) return {{boundary, {}}, 0.0, {}};
+    if (auto plain = plain_boundary(boundary, 0.25 * tolerance_mm, lines)) return std::move(*plain);
+    return simplify_any(boundary, tolerance_mm, lines, has_mesh);
+}
+
 }  // namespace
 
 Simplified simplify(const cda::Boundary& boundary, double tolerance_mm, const Provenance* lines) {
-    if (boundary.faces.empty()) return {boundary, {}, 0.0, {}};
-    if (auto plain = plain_boundary(boundary, 0.25 * tolerance_mm, lines)) return std::move(*plain);
-    return simplify_any(boundary, tolerance_mm, lines);
+    return simplify(boundary, tolerance_mm, lines, true);
 }
 
-Simplified simplify_any(const cda::Boundary& boundary, double tolerance_mm,
-                        const Provenance* lines) {
+JoinedFaces join_faces(const cda::Boundary& boundary, double tolerance_mm,
+                       const Provenance* lines) {
+    return simplify(boundary, tolerance_mm, lines, false);
+}
+
+Simplified simplify_any(const cda::Boundary& boundary, double tolerance_mm, const Provenance* lines,
+                        bool has_mesh) {
     const TriangleMesh before = cda::triangulate(boundary);
-    Simplified result;
     for (double share = 0.25 * tolerance_mm;; share *= 0.5) {
         // Far below the tolerance, only rounding is left to move.
         if (share < 1e-3 * tolerance_mm) share = 0.0;
-        result = simplify_steps(boundary, before, share, lines);
-        if (result.boundary.faces.empty()) return result;  // the part is smaller than the tolerance
+        Thinned thinned = simplify_steps(boundary, before, share, lines);
+        Simplified result{std::move(thinned.faces), 0.0, {}};
+        // The part is smaller than the tolerance.
+        if (result.boundary.faces.empty() || (thinned.is_near && !has_mesh)) return result;
         result.mesh = cda::triangulate(result.boundary);
         result.deviation_mm =
             deviation(remove_lost_shells(before, boundary, result.boundary), result.mesh);

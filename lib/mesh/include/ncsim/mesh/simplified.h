@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The result of simplify().
+// The results of simplify() and join_faces().
 #pragma once
 
 #include "ncsim/base/triangle_mesh.h"
@@ -12,13 +12,17 @@
 namespace ncsim::mesh {
 
 /// A boundary with fewer faces.
-struct Simplified {
+struct JoinedFaces {
     /// The simplified boundary. The `origin` of a face is the smallest origin of the faces that
     /// were joined, or, if simplify() kept program lines apart, that of the largest face. Each
     /// vertex is used.
     cda::Boundary boundary;
     /// For each face the origins of the faces that were joined, ascending, without repetition.
     std::vector<std::vector<cda::Origin>> origins;
+};
+
+/// A boundary with fewer faces, with its triangles and its deviation.
+struct Simplified : JoinedFaces {
     /// Measured deviation in mm, at most the tolerance: the largest distance from a corner or the
     /// middle of a triangle of either surface to the other surface. Shells that vanished are not
     /// measured.

@@ -33,4 +33,11 @@ inline constexpr double kFlatTolerance = 1e-4;
 Simplified simplify(const cda::Boundary& boundary, double tolerance_mm,
                     const Provenance* lines = nullptr);
 
+/// Returns the faces of simplify(), without triangles, and without a measurement where the steps
+/// cannot add up to more than the tolerance.
+/// Requires: `tolerance_mm` >= 0.
+/// Cost: about half of that of simplify().
+JoinedFaces join_faces(const cda::Boundary& boundary, double tolerance_mm,
+                       const Provenance* lines = nullptr);
+
 }  // namespace ncsim::mesh
