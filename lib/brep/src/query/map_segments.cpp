@@ -102,6 +102,14 @@ constexpr RepeatedContact kCrossing{kRounding, 0.06, kLeastSizeMm};
 // only by rounding cross nearer to the corner.
 constexpr RepeatedContact kCrossingElsewhere{kRounding, 0.0, 0.1};
 
+// True if the pieces, which start in a common point, run apart: each stays within an angle of its
+// chord, and the angles do not overlap. A circle leaves its chord by an angle of four times its
+// height per length; twice that is allowed for.
+bool run_apart(const MapSegment& s, const MapSegment& t, const RepeatedContact& limits) {
+    const double widths = 8.0 * (s.deviation / s.length() + t.deviation / t.length());
+    return sine_between(s, t) > widths + limits.clearance / limits.least_distance;
+}
+
 // True if the pieces, which start in a common point, meet again. Next to facets, curves miss their
 // ends by more than the criterion; the piece left after all halvings is such a miss.
 bool meet_past_common_end(const FaceMap& map, const MapSegment& s, const MapSegment& t,
@@ -111,6 +119,7 @@ bool meet_past_common_end(const FaceMap& map, const MapSegment& s, const MapSegm
     const double near = limits.least_distance * limits.least_distance;
     const bool is_acute = sx * tx + sy * ty > 0.0;
     if (!is_acute || sx * sx + sy * sy < near || tx * tx + ty * ty < near) return false;
+    if (run_apart(s, t, limits)) return false;
     const auto [s_near, s_far] = halves_of(map, s);
     const auto [t_near, t_far] = halves_of(map, t);
     const auto meet = [&](const MapSegment& one, const MapSegment& other) {
