@@ -26,7 +26,7 @@ brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulati
     for (std::uint32_t i = 0; i < simulation.provenance.entries.size(); ++i)
         apart.entries.push_back({i, 0});
     const auto facets = [&](double tolerance, const mesh::Provenance* lines) {
-        mesh::Simplified flat = mesh::simplify(*simulation.boundary, tolerance, lines);
+        mesh::JoinedFaces flat = mesh::join_faces(*simulation.boundary, tolerance, lines);
         return brep::Facets{std::move(flat.boundary), std::move(flat.origins)};
     };
     std::map<cda::Origin, brep::SweptSurfaces> sources;
@@ -61,8 +61,8 @@ struct Cut {
     double of_tools, of_arcs;  // arcs and joined moves
 };
 // Finer tools alone come first: these cuts have hardly more facets, and help most often.
-constexpr std::array<Cut, kKnownCuts> kCuts{Cut{0.25, 1.0},      Cut{0.5, 1.0},  Cut{0.25, 0.25},
-                                            Cut{0.0625, 0.0625}, Cut{1.0, 0.25}, Cut{0.5, 0.25}};
+constexpr std::array<Cut, kKnownCuts> kCuts{Cut{0.25, 1.0},      Cut{0.25, 0.25}, Cut{0.5, 1.0},
+                                            Cut{0.0625, 0.0625}, Cut{1.0, 0.25},  Cut{0.5, 0.25}};
 // No further cuts are made if the cuts so far have had more facets together, because the cost grows
 // with the number of facets.
 constexpr std::size_t kMostOfAllCuts = 60'000;
@@ -82,50 +82,55 @@ public:
     WorkBudget(const Simulation& simulation, bool is_limited)
         : plain_(work_of(simulation)), used_(plain_), is_limited_(is_limited) {}
 
-    // Limits for recognise(): of the first cut, which may leave facets to a finer cut, and of
-    // further cuts. Most solids without facets need less.
-    std::uint64_t most_of_first() const {
-        return is_limited_ ? std::max(kLeast / 2, plain_ + plain_ / 4) : brep::kUnlimitedWork;
-    }
-    std::uint64_t most_of_further() const {
-        return is_limited_ ? std::max(kLeast / 2, 2 * plain_) : brep::kUnlimitedWork;
+    // Limit for recognise(). Solids without facets need less.
+    std::uint64_t most_of_recognition() const {
+        return is_limited_ ? std::max(kLeast, plain_) : brep::kUnlimitedWork;
     }
 
     void add(std::uint64_t work) { used_ += work; }
 
-    // Decides by the first cut whether finer tools are worth more than the budget: few facets fail,
-    // or the corrections of a small part had no end.
+    // Decides by the first cut whether finer cuts are worth more than kLeast: few facets fail, and
+    // many of the kept facets do. The rest fits no surface, or is kept with its neighbours.
     void judge_first(const brep::Recognised& solid, const Simulation& simulation) {
-        constexpr std::size_t kFew = 8, kSmall = 5'000;
-        const std::size_t facets = simulation.boundary->faces.size();
-        is_promising_ =
-            kFew * solid.facets_demoted <= facets || (solid.shells_kept > 0 && facets <= kSmall);
+        constexpr std::size_t kFew = 8;
+        is_promising_ = kFew * solid.facets_demoted <= simulation.boundary->faces.size() &&
+                        4 * solid.facets_demoted >= solid.facets_kept;
     }
 
     // True if the cut is within the budget. Hulls and facets grow about with the fourth root of
     // both factors.
     bool allows(const Cut& cut) const {
-        constexpr std::uint64_t kTimes = 3, kTimesIfPromising = 9;
+        constexpr std::uint64_t kTimes = 3, kTimesOfToolsAlone = 9;
+        if (!is_limited_) return true;
         const double growth = 1.0 / std::sqrt(std::sqrt(cut.of_tools * cut.of_arcs));
         const auto next = static_cast<std::uint64_t>(growth * static_cast<double>(plain_));
-        const bool is_of_tools_alone = cut.of_arcs == 1.0;
-        const std::uint64_t times = is_promising_ && is_of_tools_alone ? kTimesIfPromising : kTimes;
-        return !is_limited_ || used_ + next <= std::max(kLeast, times * plain_);
+        const std::uint64_t times = cut.of_arcs == 1.0 ? kTimesOfToolsAlone : kTimes;
+        const std::uint64_t most = is_promising_ ? std::max(4 * kLeast, times * plain_) : kLeast;
+        return used_ + next <= most;
     }
 
 private:
-    static constexpr std::uint64_t kLeast = 50'000;  // for small parts
+    static constexpr std::uint64_t kLeast = 12'000;  // for small parts
 
     std::uint64_t plain_, used_;
     bool is_limited_, is_promising_ = false;
 };
+
+// Returns the largest error of a tool's polygon, mm. Small tools have more sides than the tolerance
+// needs, so finer tolerances are relative to this error.
+double tool_error(const Plan& plan, const Simulation& simulation) {
+    double error = 0.0;
+    for (const auto& [tool, cutter] : simulation.cutters)
+        error = std::max(error, cutter.error_mm);
+    return error > 0.0 ? std::min(error, plan.tool_tolerance) : plan.tool_tolerance;
+}
 
 }  // namespace
 
 Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& simulation,
                     double tolerance_mm, const Refinement& limit) {
     WorkBudget budget(simulation, limit.has_budget);
-    Solid best{solid_of(plan, survey, simulation, tolerance_mm, budget.most_of_first()),
+    Solid best{solid_of(plan, survey, simulation, tolerance_mm, budget.most_of_recognition()),
                simulation.provenance, plan.tool_tolerance, plan.tolerance};
     best.has_ended_early = best.recognised.has_ended_early;
     budget.add(best.recognised.work);
@@ -137,6 +142,7 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
     other.keep_boundary = true;
     other.keep_paths = other.keep_removed_cells = other.hull_times = false;
     other.tool_volumes = other.block_volumes = false;
+    const double error = tool_error(plan, simulation);
     std::size_t facets = 0;
     const auto most = static_cast<std::size_t>(limit.most_cuts);
     int made = 0, not_tried = 0;
@@ -147,7 +153,7 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
             continue;
         }
         ++made;
-        other.tool_tolerance = kCuts[i].of_tools * plan.tool_tolerance;
+        other.tool_tolerance = kCuts[i].of_tools * error;
         other.tolerance = kCuts[i].of_arcs * plan.tolerance;
         other.join_tolerance = kCuts[i].of_arcs * plan.join_tolerance;
         Verification nothing;
@@ -156,7 +162,7 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
         Simulation again = simulate(other, survey, nothing, {});
         facets += again.boundary->faces.size();
         brep::Recognised solid =
-            solid_of(other, survey, again, tolerance_mm, budget.most_of_further());
+            solid_of(other, survey, again, tolerance_mm, budget.most_of_recognition());
         budget.add(work_of(again) + solid.work);
         is_coarse = are_facets_too_large(solid, again);
         const bool has_ended_early = solid.has_ended_early;

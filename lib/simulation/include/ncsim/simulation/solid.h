@@ -14,7 +14,7 @@
 namespace ncsim::simulation {
 
 /// Returns the solid of the boundary of `simulation`. Facets are first joined within
-/// `tolerance_mm`, as by simplify(). After `most_work` units of work (brep::recognise()), all faces
+/// `tolerance_mm`, as by mesh::join_faces(). After `most_work` units of work (brep::recognise()), all faces
 /// that fail become facets at once.
 /// Requires: `simulation` kept its boundary and its cuts.
 /// Cost: one pass over the motions of the program, for the motions that left faces.
