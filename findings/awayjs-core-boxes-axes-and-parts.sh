@@ -1,12 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Package:  npm, @awayjs/core 0.9.60 (classes Box, Matrix3D and Quaternion after those of Flash). The script defines empty objects
-#           for what a browser has.
-# Input:    the box from -5,-5,-5 to 5,5,5 with points inside and outside; turns by 90 degrees about axes of length 1 and 2; a
-#           matrix of a scale, three turns and a translation in the three styles of orientation. Source: names of the methods
-#           (closestPointToPoint, containsPoint, appendRotation(degrees, axis), decompose(orientationStyle), recompose(components));
-#           the classes of Flash.
+# Package:  npm, @awayjs/core 0.9.60 (classes Box and Matrix3D). The script defines empty objects for what a browser has.
+# Input:    the box from -5,-5,-5 to 5,5,5 with points inside and outside; turns by 90 degrees about axes of the lengths 1, 2 and 5;
+#           a matrix of a scale, three turns and a translation in the three styles of orientation. Source: names of the methods
+#           (closestPointToPoint, containsPoint, appendRotation(degrees, axis), decompose(orientationStyle), recompose(components)).
 # Expected: The closest point of a point inside is that point, as containsPoint says. The length of an axis does not matter, and a
 #           point of the axis stays in its place. recompose returns the matrix from the parts of decompose.
 # Seen:     The closest point always has y -5, also of points inside. A turn about 0,0,2 makes 1,0,0 to 0,2,0, and 0,0,2, a point of
@@ -24,7 +22,7 @@ cat >check.cjs <<'JS'
 globalThis.self = globalThis.window = globalThis;
 globalThis.document = { createElement: () => ({ getContext: () => null }) };
 if (!globalThis.navigator) globalThis.navigator = { userAgent: '', platform: '' };
-const { Box, Matrix3D, Orientation3D, Quaternion, Vector3D } = require('@awayjs/core/bundle/awayjs-core.umd.js');
+const { Box, Matrix3D, Orientation3D, Vector3D } = require('@awayjs/core/bundle/awayjs-core.umd.js');
 const text = ({ x, y, z }) => [x, y, z].map((v) => v.toFixed(3).replace(/^-(0\.0*)$/, '$1')).join(',');
 const box = new Box(-5, -5, -5, 10, 10, 10);
 for (const point of [[0, 0, 0], [1, 2, 3], [10, 0, 0], [0, 10, 0], [0, -10, 0], [10, 4, -20]].map((p) => new Vector3D(...p)))
