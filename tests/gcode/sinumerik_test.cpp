@@ -61,7 +61,7 @@ TEST(Sinumerik, IsoModeIsReadAsFanuc) {
     const Made r = run(text, {}, Dialect::SinumerikIso);
     EXPECT_EQ(r.errors(), "");
     EXPECT_GT(r.moves.size(), 3U);
-    EXPECT_TRUE(run("G290\nG0 X1\n", {}, Dialect::SinumerikIso).says("unknown-g"));
+    EXPECT_TRUE(run("G290\nG0 X1\n", {}, Dialect::SinumerikIso).says("language-switch"));
     EXPECT_EQ(run("G291\nG0 X1\n").errors(),
               "1:1: G291 is not read; the program is stopped here [not-read]\n");
 }

@@ -14,6 +14,7 @@ ncsim_add_test(gcode
     deleted_lines_test.cpp
     dialect_test.cpp
     expression_test.cpp
+    data_lines_test.cpp
     file_programs_test.cpp
     formula_values_test.cpp
     head_modes_test.cpp
