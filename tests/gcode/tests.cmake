@@ -15,6 +15,7 @@ ncsim_add_test(gcode
     dialect_test.cpp
     expression_test.cpp
     data_lines_test.cpp
+    named_programs_test.cpp
     file_programs_test.cpp
     formula_values_test.cpp
     head_modes_test.cpp

@@ -98,6 +98,7 @@ bool has_code(const Block& block, char letter, double number) {
 std::vector<std::string> called_programs(const Block& block, bool& any) {
     const bool calls = has_code(block, 'M', 98) || has_code(block, 'G', 65) ||
                        has_code(block, 'G', 66) || has_code(block, 'G', 150);
+    if (!block.program_name.empty()) return {lowercase(block.program_name)};
     const Word* p = calls ? find_word(block, 'P') : nullptr;
     if (!p) return {};
     if (!p->literal || !(p->number >= 0.0 && p->number < 1e9)) {
@@ -200,7 +201,8 @@ private:
         last().runs_on = is_reached_;
         FilePrograms::Section& next = programs_.sections_.emplace_back();
         next.number = plain_label(block.control.label);
-        next.label = "O" + std::string(block.control.label);
+        const bool is_name = block.control.label.starts_with('<');
+        next.label = (is_name ? "" : "O") + std::string(block.control.label);
         next.span = block.control.span;
         next.begin = begin;
         is_reached_ = true;

@@ -107,6 +107,9 @@ private:
     void save_or_restore(int m);
     bool call_code(int m);
     void call_subprogram();
+    std::optional<Target> find_named_program(std::string_view name);
+    std::optional<std::string_view> name_in_comment() const;
+    void call_program_file(std::string_view name);
     bool is_control_program(double number) const;
     void report_control_program(double number, SourceSpan span);
     bool probe_macro(int number, const std::array<double, Parameters::kLocals + 1>& values,

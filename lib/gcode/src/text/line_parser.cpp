@@ -199,7 +199,10 @@ bool LineParser::is_console_command() {
     const char c = text_[0];
     // "<PART>" alone is the name of a program of newer Fanuc controls.
     if (c == '<' && text_.find('>') == text_.size() - 1 && !options_.strict) {
-        block_.kind = BlockKind::Command;
+        block_.control = {};
+        block_.control.word = ControlWord::ProgramNumber;
+        block_.control.label = text_;
+        block_.control.span = span(0, text_.size());
         return true;
     }
     // M117 and M118 show the rest of the line on a display.
