@@ -20,6 +20,7 @@ ncsim_add_test(gcode
     formula_values_test.cpp
     head_modes_test.cpp
     jump_targets_test.cpp
+    klartext_patterns_test.cpp
     klartext_plane_test.cpp
     klartext_approach_test.cpp
     klartext_cycles_test.cpp
