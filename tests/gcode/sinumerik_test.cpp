@@ -392,6 +392,15 @@ TEST(Sinumerik, OtherEdgesAreADoubt) {
     EXPECT_FALSE(run(sinumerik("D1\nG1 X1 F1")).says("tool-edge"));
 }
 
+TEST(Sinumerik, AToolNamedByItsNumberHasTheNumber) {
+    for (const std::string tool : {"T=\"12\"", "T12", "T=12", "T=\"0012\""})
+        EXPECT_EQ(run("G710 G90\n" + tool + " M6\nG0 X1 Y1 Z1\nM30\n").moves.back().tool, 12)
+            << tool;
+    for (const std::string tool : {"T=\"12A\"", "T=\"9001\"", "T=\"12.5\"", "T=\"0\""})
+        EXPECT_EQ(run("G710 G90\n" + tool + " M6\nG0 X1 Y1 Z1\nM30\n").moves.back().tool, 9001)
+            << tool;
+}
+
 TEST(Sinumerik, RadiusOfTheTool) {
     expect_same("R1=$P_TOOLR\nG1 X=R1 F100", "G1 X5. F100");
     expect_refused("R1=$AC_TIMER[1]",
