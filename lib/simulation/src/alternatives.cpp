@@ -270,7 +270,8 @@ std::vector<Alternative> alternatives_of(const Plan& plan, const Survey& survey,
                          place_of(*read.without_point), [](Plan& other, VerificationOptions&) {
                              other.job.options.increments = true;
                              other.job.interpreter.least_increments = true;
-                         }});
+                         },
+                         true});
     }
     add_other_controls(plan, read, found);
     if (const auto* rapid = first_rapid_near_bodies(survey, verification_options);

@@ -43,7 +43,7 @@ constexpr auto kReasons = std::to_array<ReasonInfo>({
      "specify [variables] in the job file, or --variable #500=1"},
     {"block-delete", "The verdict depends on the switch for blocks that start with '/'.",
      "specify --block-delete on or --block-delete off"},
-    {"decimal-point", "The verdict depends on the meaning of numbers without a decimal point.",
+    {"decimal-point", "The verdict or the part depends on the meaning of numbers without a decimal point.",
      "specify --increments on or --increments off, or write decimal points"},
     {"path-blending", "Corners may be rounded by more than the space to a fixture or the design.",
      "program a smaller P of G64"},
