@@ -261,6 +261,8 @@ const std::vector<Case>& cases() {
          "3:4: warning: the / in this word is read as a division, Fanuc and Haas read block "
          "delete; "
          "write brackets, as in X[#1/2], or a blank before the / [slash-after-value]"},
+        {By::Grbl, kStart + "$X",
+         "2:1: note: '$X' is for the control's console and moves nothing [console-text]"},
         {By::Fanuc, kStart + "#1=2**3",
          "2:1: warning: Fanuc and Haas have no operator for powers and stop with an alarm here; it "
          "is read as a power; write the product [power-operator]"},

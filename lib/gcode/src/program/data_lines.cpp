@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace ncsim::gcode {
 namespace {
