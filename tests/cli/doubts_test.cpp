@@ -327,6 +327,23 @@ TEST(Readings, OfSeveralSwitchesOfBlockDelete) {
     EXPECT_EQ(verdict_of(folder, {"two.nc", "--block-delete", "on"})["verdict"], "clean");
 }
 
+// A forgotten point changes the part, although neither reading is a fault.
+TEST(Readings, OfAForgottenPointDifferByThePart) {
+    Folder folder;
+    folder.write("short.nc", replaced(kSlot, "G1 X30. F500.", "G1 X30 F500."));
+    folder.write("same.nc", replaced(kSlot, "G0 Z5.\nM30", "G0 Z5\nM30"));
+    for (const char* const control : {"fanuc", "haas"}) {
+        const json program = verdict_of(folder, {"short.nc", "--dialect", control});
+        EXPECT_EQ(open_doubts(program), std::set<std::string>{"decimal-point"}) << control;
+        EXPECT_EQ(verdict_of(folder, {"same.nc", "--dialect", control})["verdict"], "clean");
+        for (const char* const points : {"on", "off"})
+            EXPECT_EQ(verdict_of(folder, {"short.nc", "--dialect", control, "--increments",
+                                          points})["verdict"],
+                      "clean");
+    }
+    EXPECT_EQ(verdict_of(folder, {"short.nc", "--dialect", "rs274"})["verdict"], "clean");
+}
+
 // --- Values of the control ---------------------------------------------------------------------
 
 TEST(Variables, AreSpecifiedByTheJobOrTheCommandLine) {

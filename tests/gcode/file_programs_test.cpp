@@ -75,6 +75,35 @@ TEST(FilePrograms, NameMovesBehindAnEnd) {
     EXPECT_EQ(unreached("G0 X1\n/M30\nG0 X2\nM30\n"), Labels{"3"});
 }
 
+// A line behind the end is reached only if a block that is reached names it, in the same program.
+TEST(FilePrograms, TargetsCountOnlyFromBlocksThatAreReached) {
+    const std::string dead = "N10 G1 X2\n";
+    EXPECT_EQ(unreached("O1\nX1\nM30\n" + dead + "GOTO 10\n"), Labels{"4"});
+    EXPECT_EQ(unreached("O1\nX1\nM30\n" + dead + "M97 P10\nM99\n"), Labels{"4"});
+    EXPECT_EQ(unreached("O1\nX1\nM30\n" + dead + "M99\nO2\nGOTO 10\nN10 X3\nM30\n"), Labels{"4"});
+    EXPECT_EQ(unreached("O1\nX1\nM30\n" + dead + "M99\nO2\nM97 P10\nM30\nN10 X3\nM99\n"),
+              Labels{"4"});
+    EXPECT_EQ(unreached("O1\nX1\nM30\n" + dead + "GOTO #1\n"), Labels{"4"});
+    for (const std::string jump : {"GOTO 10", "IF [#1 EQ 1] GOTO 10", "M97 P10", "GOTO #1"})
+        EXPECT_TRUE(unreached("O1\nX1\n" + jump + "\nM30\n" + dead + "M99\n").empty()) << jump;
+    // A subprogram returns to a line of the program that calls it.
+    EXPECT_TRUE(unreached("O1\nM98 P2\nM30\n" + dead + "M30\nO2\nX3\nM99 P10\n").empty());
+    // Chains of jumps of any length, in both directions.
+    for (int length = 1; length < 30; ++length) {
+        std::string forward = "O1\nIF [#1 EQ 1] GOTO 1\nM30\n";
+        std::string backward = "O1\nIF [#1 EQ 1] GOTO 1\nM30\n";
+        for (int i = 1; i <= length; ++i) {
+            const std::string next = std::to_string(i + 1);
+            forward += "N" + std::to_string(i) + " X1\nIF [#1 EQ 1] GOTO " + next + "\nM30\n";
+            const int from = length + 1 - i;
+            backward += "N" + std::to_string(from) + " X1\nIF [#1 EQ 1] GOTO " +
+                        std::to_string(from + 1) + "\nM30\n";
+        }
+        EXPECT_TRUE(unreached(forward).empty()) << forward;
+        EXPECT_TRUE(unreached(backward).empty()) << backward;
+    }
+}
+
 TEST(FilePrograms, AreReadWithEmptyLinesForTheOthers) {
     const std::string text = "%\n(HEAD)\nO1\nM98 P9\r\nM30\nO2\nX2\nM30\nO9\nX9\nM99\n%\n";
     const FilePrograms file = read(text);

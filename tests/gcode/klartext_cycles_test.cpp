@@ -33,6 +33,10 @@ TEST(Klartext, ToolByNameHasANumberOfItsOwn) {
     EXPECT_EQ(r.moves[2].tool, 9001);
 }
 
+TEST(Klartext, AToolNamedByItsNumberHasTheNumber) {
+    EXPECT_EQ(run(klartext("TOOL CALL \"12\" Z S9\nL X+1 FMAX")).moves.back().tool, 12);
+}
+
 TEST(Klartext, ToolCallByParameter) {
     for (const char* call : {"Q1 = 7\nTOOL CALL Q1 Z S9", "TOOL CALL 7 Z S9"})
         EXPECT_EQ(run(klartext(std::string(call) + "\nL X+1 FMAX")).moves.back().tool, 7);

@@ -29,6 +29,7 @@ enum class By : unsigned char {
     Default,
     Strict,
     Fanuc,
+    Haas,
     Grbl,
     Mach3,
     Tip,
@@ -73,6 +74,7 @@ std::vector<std::string> said_of(const Case& c) {
                                   true};
     }
     options.dialect = c.by == By::Fanuc || c.by == By::Turning                ? Dialect::Fanuc
+                      : c.by == By::Haas                                      ? Dialect::Haas
                       : c.by == By::Grbl                                      ? Dialect::Grbl
                       : c.by == By::Mach3                                     ? Dialect::Mach3
                       : c.by == By::Klartext || c.by == By::KlartextTool      ? Dialect::Heidenhain
@@ -259,6 +261,35 @@ const std::vector<Case>& cases() {
          "3:4: warning: the / in this word is read as a division, Fanuc and Haas read block "
          "delete; "
          "write brackets, as in X[#1/2], or a blank before the / [slash-after-value]"},
+        {By::Grbl, kStart + "$X",
+         "2:1: note: '$X' is for the control's console and moves nothing [console-text]"},
+        {By::Fanuc, kStart + "#1=2**3",
+         "2:1: warning: Fanuc and Haas have no operator for powers and stop with an alarm here; it "
+         "is read as a power; write the product [power-operator]"},
+        {By::Fanuc, kStart + "G83 Q2 F9",
+         "2:5: warning: Fanuc keeps Q of a cycle only from a block that drills; it is left out; "
+         "write it in a block with X, Y, Z or R [cycle-words-lost]"},
+        {By::Fanuc, kStart + "G60 X1",
+         "2:1: note: G60 positions at rapid; how far it goes beyond the end first is a parameter "
+         "of the machine and is not simulated [one-sided-move]"},
+        {By::Mach3, kStart + "G1 X1~G60 X2",
+         "3:1: warning: G60 without G0 and G1: Fanuc and Haas position at rapid, other controls "
+         "stop exactly; moved as G1; write G0 or G1 [one-sided-feed]"},
+        {By::Fanuc, kStart + "G10 L50~N1221 R0~G11",
+         "3:1: warning: G10 L50 writes parameter 1221 of the control, which may change what the "
+         "program does; it is left out. If it is harmless, say so with --allow N1221 [data-line]"},
+        {By::Fanuc, kStart + "G10 L3~P1~G11",
+         "2:1: warning: G10 L3 writes data of the control up to G11, which may change what the "
+         "program does; they are left out [data-line]"},
+        {By::Fanuc, kStart + "G10 L50~X1",
+         "3:1: error: this block is behind G10 L50 and no line of its data; G11 is missing before "
+         "it [data-lines-open]"},
+        {By::Mach3, kStart + "G290~G0 X1",
+         "3:1: warning: behind G290 the control reads the language of SINUMERIK; this is read as "
+         "ISO code; write the program in one language [language-switch]"},
+        {By::Haas, kStart + "G81 X1 Z-1 R1~Z-2",
+         "3:1: warning: G81 without X and Y: Fanuc drills again at this place, the manual of Haas "
+         "has holes for X and Y only; it is drilled; write X and Y [cycle-without-place]"},
         {By::Fanuc, kStart + "G16 G1 X1 Y30~G91 X1 Y30",
          "3:1: warning: controls read an increment of the radius together with an increment of the "
          "angle in different ways; the radius was taken from the tool, the angle from the last "

@@ -61,7 +61,7 @@ TEST(Sinumerik, IsoModeIsReadAsFanuc) {
     const Made r = run(text, {}, Dialect::SinumerikIso);
     EXPECT_EQ(r.errors(), "");
     EXPECT_GT(r.moves.size(), 3U);
-    EXPECT_TRUE(run("G290\nG0 X1\n", {}, Dialect::SinumerikIso).says("unknown-g"));
+    EXPECT_TRUE(run("G290\nG0 X1\n", {}, Dialect::SinumerikIso).says("language-switch"));
     EXPECT_EQ(run("G291\nG0 X1\n").errors(),
               "1:1: G291 is not read; the program is stopped here [not-read]\n");
 }
@@ -390,6 +390,15 @@ TEST(Sinumerik, ToolsByName) {
 TEST(Sinumerik, OtherEdgesAreADoubt) {
     EXPECT_TRUE(run(sinumerik("D2\nG1 X1 F1")).says("tool-edge"));
     EXPECT_FALSE(run(sinumerik("D1\nG1 X1 F1")).says("tool-edge"));
+}
+
+TEST(Sinumerik, AToolNamedByItsNumberHasTheNumber) {
+    for (const std::string tool : {"T=\"12\"", "T12", "T=12", "T=\"0012\""})
+        EXPECT_EQ(run("G710 G90\n" + tool + " M6\nG0 X1 Y1 Z1\nM30\n").moves.back().tool, 12)
+            << tool;
+    for (const std::string tool : {"T=\"12A\"", "T=\"9001\"", "T=\"12.5\"", "T=\"0\""})
+        EXPECT_EQ(run("G710 G90\n" + tool + " M6\nG0 X1 Y1 Z1\nM30\n").moves.back().tool, 9001)
+            << tool;
 }
 
 TEST(Sinumerik, RadiusOfTheTool) {

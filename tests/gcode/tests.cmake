@@ -14,10 +14,13 @@ ncsim_add_test(gcode
     deleted_lines_test.cpp
     dialect_test.cpp
     expression_test.cpp
+    data_lines_test.cpp
+    named_programs_test.cpp
     file_programs_test.cpp
     formula_values_test.cpp
     head_modes_test.cpp
     jump_targets_test.cpp
+    klartext_patterns_test.cpp
     klartext_plane_test.cpp
     klartext_approach_test.cpp
     klartext_cycles_test.cpp

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -45,6 +46,31 @@ TEST(Job, OptionsComeBeforeComments) {
     EXPECT_EQ(job.interpreter.default_units, gcode::DefaultUnits::Inches);
     EXPECT_EQ(origin_of(job.interpreter, 1), (Vec3{-100, -50, -300}));
     EXPECT_FALSE(origin_of(job.interpreter, 2));
+}
+
+// Drills, spot drills, chamfer mills and countersinks of one angle have one shape.
+TEST(Job, KindsOfOneShapeAreNoContradiction) {
+    using enum toolpath::ToolKind;
+    const auto contradicts = [](toolpath::ToolKind kind, double angle, const std::string& comment) {
+        JobOptions options;
+        options.tools.emplace_back();
+        options.tools[0].number = 1;
+        options.tools[0].kind = kind;
+        options.tools[0].diameter = 10.0;
+        if (angle > 0.0) options.tools[0].angle = angle;
+        const Job job = job_of({"a.nc", "(T1 " + comment + ")\nG21\nT1 M6\nG0 X1\nM30\n"}, options);
+        return std::ranges::any_of(
+            job.doubts, [](const auto& doubt) { return doubt.reason == "contradiction"; });
+    };
+    const std::string spot = "D=10. CR=0. TAPER=90deg - spot drill";
+    for (const auto kind : {Drill, VCutter, ChamferMill, Countersink}) {
+        EXPECT_FALSE(contradicts(kind, 90.0, spot));
+        EXPECT_TRUE(contradicts(kind, 60.0, spot));
+    }
+    EXPECT_TRUE(contradicts(Drill, 0.0, spot)) << "118 degrees";
+    EXPECT_FALSE(contradicts(VCutter, 0.0, spot)) << "90 degrees";
+    EXPECT_TRUE(contradicts(FlatEndMill, 0.0, spot));
+    EXPECT_TRUE(contradicts(Tap, 0.0, "D=10. - drill"));
 }
 
 TEST(Job, IsInInchesWhereToolsAndNumbersAgree) {

@@ -40,6 +40,21 @@ TEST(ToolComments, OfAToolSurviveTheWayHomeBeforeItsCall) {
     EXPECT_EQ(n.tools[0].spec.number, 7);
 }
 
+// A title describes the work; a title with a number of a tool describes the tool.
+TEST(ToolComments, InTheTitleOfAProgramNeedTheNumberOfATool) {
+    for (const std::string head : {"O600", "O0600 ", ":600", "N1 O600"}) {
+        for (const std::string title :
+             {"(TAP M8)", "(THREAD MILL M20X1.5)", "(DRILL 6MM)", "(D=10)"})
+            EXPECT_TRUE(notes(head + title + "\nG21\nT2 M6\nG0 X1\n").tools.empty())
+                << head << title;
+        const ProgramNotes n = notes(head + "(T3 D=8. - drill)\nG21\nT2 M6\nT3 M6\nG0 X1\n");
+        ASSERT_EQ(n.tools.size(), 1U) << head;
+        EXPECT_EQ(n.tools[0].spec.number, 3);
+    }
+    // The comment of the next line is about the tool.
+    EXPECT_EQ(notes("O600\n(TAP M8)\nG21\nT2 M6\nG0 X1\n").tools.size(), 1U);
+}
+
 TEST(ToolComments, AreReadInAllTheirForms) {
     const std::pair<const char*, const char*> table[] = {
         {"T1 D=3.175 CR=0. - ZMIN=-4.2 - FLAT END MILL", "T1 flat end mill D3.175 L50"},

@@ -267,10 +267,12 @@ std::vector<Alternative> alternatives_of(const Plan& plan, const Survey& survey,
     if (read.without_point && read.has_points && !options.increments) {
         found.push_back({"decimal-point",
                          "with numbers without a decimal point as least increments",
-                         place_of(*read.without_point), [](Plan& other, VerificationOptions&) {
+                         place_of(*read.without_point),
+                         [](Plan& other, VerificationOptions&) {
                              other.job.options.increments = true;
                              other.job.interpreter.least_increments = true;
-                         }});
+                         },
+                         true});
     }
     add_other_controls(plan, read, found);
     if (const auto* rapid = first_rapid_near_bodies(survey, verification_options);

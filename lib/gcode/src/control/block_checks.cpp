@@ -30,7 +30,8 @@ bool check_unused_words(const ControlState& control, const Command& command, Con
     constexpr std::string_view kParameters = "DEHIJKLPQR";
     if (!command.has_any(letters('D', 'E', 'H', 'I', 'J', 'K', 'L', 'P', 'Q', 'R'))) return true;
     Code motion = command.group(Group::Motion);
-    if (motion == Code::None && (command.axis_words || is_modal_arc(state, command)))
+    if (motion == Code::None && (command.axis_words || is_modal_arc(state, command) ||
+                                 drills_again(state, command, context)))
         motion = state.motion;
     // On other controls, register words are allowed anywhere, ignored codes may have words, and
     // cycles have further words.

@@ -46,7 +46,7 @@ constexpr auto kCodes = std::to_array<GCode>({
 #undef NCSIM_G
 });
 
-constexpr int kMaxTenths = 2700;  // Upper bound: the last known code is G269.
+constexpr int kMaxTenths = 2920;  // Upper bound: the last known code is G291.
 
 constexpr auto kIndex = [] {
     std::array<std::uint8_t, kMaxTenths> index{};

@@ -50,7 +50,9 @@ struct Command {
     bool has_m = false;           ///< The block has an M word, known or unknown.
     /// The block has a G code that is ignored, unknown, or declared harmless.
     bool has_others = false;
-    bool axis_words = false;  ///< The block has X … W, @, ^ or ,A.
+    bool rigid_tapping = false;  ///< M29 of Fanuc.
+    bool from_one_side = false;  ///< G60: positions from one direction.
+    bool axis_words = false;     ///< The block has X … W, @, ^ or ,A.
 
     bool has(char letter) const { return (present >> letter_index(letter) & 1U) != 0; }
     double operator[](char letter) const { return value[letter_index(letter)]; }

@@ -40,6 +40,11 @@ struct Rules {
     bool k_repeats = false;
     /// I, J and K of G83 and G73 are decreasing pecks (Haas).
     bool pecks_shrink = false;
+    /// R alone drills again under a modal cycle, and Q and P count only in a block that drills
+    /// (Fanuc).
+    bool drills_by_r = false;
+    /// The manual promises a hole for a block with X or Y only; Z alone is a doubt (Haas).
+    bool holes_need_place = false;
     /// The pole of G16 is the position of the tool at G16 (Mach3); otherwise the origin.
     bool pole_is_position = false;
     /// G68.2 and similar codes follow the remaps of LinuxCNC; otherwise Fanuc. True only if the
@@ -51,6 +56,11 @@ struct Rules {
     /// True if the program is for LinuxCNC: by the rules, by the user, or by a sign in the program.
     /// A program without a sign counts as RS274/NGC and may be for another control.
     bool is_linuxcnc() const { return strict || linuxcnc_planes; }
+
+    /// True if G10 L50 opens lines of data up to G11: on Fanuc, and on an unnamed control.
+    bool has_data_lines() const {
+        return !is_linuxcnc() && (dialect == Dialect::Fanuc || dialect == Dialect::Rs274);
+    }
 
     /// Returns the rules of `dialect`; `strict`: the rules of LinuxCNC.
     static Rules of(Dialect dialect, bool strict) {
@@ -67,6 +77,8 @@ struct Rules {
         rules.home_cancels_length = !strict && dialect == Dialect::Haas;
         rules.k_repeats = !strict && dialect == Dialect::Fanuc;
         rules.pecks_shrink = !strict && dialect == Dialect::Haas;
+        rules.drills_by_r = !strict && dialect == Dialect::Fanuc;
+        rules.holes_need_place = !strict && dialect == Dialect::Haas;
         const bool has_language =
             !strict && (dialect == Dialect::Heidenhain || dialect == Dialect::Sinumerik);
         rules.corner_words = fanuc || has_language;

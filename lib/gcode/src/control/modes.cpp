@@ -113,6 +113,10 @@ void set_speeds_and_tools(ControlState& control, const Command& command, Context
         case 19: state.spindle = SpindleTurning::Stopped; break;
         default: break;
     }
+    if (command.rigid_tapping) {  // M29 stops the spindle until G84 turns it.
+        state.rigid_tapping = true;
+        state.spindle = SpindleTurning::Stopped;
+    }
     set_coolant(state, command);
     for (const int code : command.clamps) {
         for (const RotaryClamp& clamp : context.options.clamps) {
@@ -228,6 +232,7 @@ void finish_program(ControlState& control, Context& context) {
     state.coolant = {};
     state.spindle_in_doubt = false;
     state.spindle_oriented = false;
+    state.rigid_tapping = false;
     state.motion = Code::G1;
     state.frames.programmed = {};
 }

@@ -9,6 +9,7 @@
 #include "control/paths/path_steps.h"
 
 #include <cmath>
+#include <optional>
 
 namespace ncsim::gcode {
 namespace {
@@ -36,6 +37,20 @@ bool is_speed_mode(const Command& command, Code motion, const Setup& setup) {
     if (setup.rules.strict || command.has_any(letters('I', 'J'))) return false;
     return (motion == Code::G5 && !command.axis_words) ||
            (motion == Code::G5_1 && (command.has('Q') || !command.axis_words));
+}
+
+/// Returns the motion of a G60 without a motion code: G0 on Fanuc and Haas, whatever the mode is.
+std::optional<Code> motion_from_one_side(const MachineState& state, const Command& command,
+                                         Context& context) {
+    if (!command.from_one_side || !command.axis_words || is_cycle(state.motion))
+        return std::nullopt;
+    if (context.rules.macro_b) {
+        context.log.add(Message::OneSidedMove, command.span);
+        return Code::G0;
+    }
+    const bool is_rapid = state.motion == Code::None || state.motion == Code::G0;
+    if (!is_rapid) warn(context, Message::OneSidedFeed, command.span, {name_of(state.motion)});
+    return std::nullopt;
 }
 
 bool linear_move_as_specified(ControlState& control, const Command& command, MoveKind kind,
@@ -189,10 +204,11 @@ bool make_move(ControlState& control, const Command& command, Code motion, Conte
     } else {
         const bool knot = control.curve.by_knots && command.has('K');  // Knot of G6.2.
         const bool by_vector = state.by_vector && command.has_any(letters('I', 'J', 'K'));
-        if ((!command.axis_words && !by_vector && !is_modal_arc(state, command) && !knot) ||
+        if ((!command.axis_words && !by_vector && !is_modal_arc(state, command) && !knot &&
+             !drills_again(state, command, context)) ||
             words_taken)
             return true;
-        motion = state.motion;
+        motion = motion_from_one_side(state, command, context).value_or(state.motion);
         if (motion == Code::None || motion == Code::G80) {
             if (context.rules.strict)
                 return fail(context, Message::AxesWithoutMotion, command.span);

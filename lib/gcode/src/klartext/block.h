@@ -26,6 +26,7 @@ enum class Verb : std::uint8_t {
     CyclDef,
     CyclCall,
     CyclEnd,
+    PatternDef,
     Lbl,
     CallLbl,
     CallPgm,

@@ -60,6 +60,7 @@ public:
     bool tool_call(const Block& block);
     bool tool_def(const Block& block);
     bool cycle_def(const Block& block);
+    bool pattern_def(const Block& block);
     bool cycle_call(const Block& block);
     void cycle_end(const Block& block);
     bool plane(const Block& block);
@@ -159,6 +160,15 @@ private:
     bool apply(const Block& block);
     bool tilt(const FeatureFrame& frame, std::string_view name, SourceSpan span);
 
+    using PatternValues = std::map<std::string, double, std::less<>>;
+    /// A place of PATTERN DEF, with the surface that adds to Q203.
+    struct PatternPlace {
+        Point at;
+        double surface = 0.0;
+    };
+    bool add_places(std::string_view kind, const PatternValues& values,
+                    const std::vector<std::string_view>& required, SourceSpan span);
+    bool call_at_places(bool is_rapid, SourceSpan span);
     bool call_cycle(SourceSpan span);
     bool pattern(const Cycle& pattern, SourceSpan span);
     std::vector<Point> places_of(const Cycle& pattern) const;
@@ -216,7 +226,8 @@ private:
     bool calls_at_each_ = false;  ///< M89
     bool has_preset_ = false;     ///< Cycle 247 selected a preset.
     bool is_preset_reported_ = false;
-    double surface_shift_ = 0.0;  ///< Tool axis of CYCL CALL POS.
+    double surface_shift_ = 0.0;         ///< Tool axis of CYCL CALL POS.
+    std::vector<PatternPlace> pattern_;  ///< Places of PATTERN DEF.
     Cycle cycle_;
     Cycle old_;  ///< Cycle with parts ("CYCL DEF 1.1 …") that is being defined.
     Transformation transformation_;

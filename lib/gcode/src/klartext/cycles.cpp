@@ -237,8 +237,8 @@ void Control::cycle_end(const Block& block) {
 
 bool Control::cycle_call(const Block& block) {
     Scanner scan(block.code, block.rest);
-    if (scan.take_word("PAT")) return fail(Message::KlartextVerb, block.whole(), {"CYCL CALL PAT"});
-    const bool has_place = scan.take_word("POS");
+    const bool at_places = scan.take_word("PAT");
+    const bool has_place = !at_places && scan.take_word("POS");
     std::array<std::optional<double>, 3> place;
     std::array<bool, 3> is_incremental{};
     bool is_rapid = false;
@@ -302,11 +302,12 @@ bool Control::cycle_call(const Block& block) {
     } else if (!run(command)) {
         return false;
     }
-    const bool done = call_cycle(block.whole());
+    const bool done = at_places ? call_at_places(is_rapid || !words.feed, block.whole())
+                                : call_cycle(block.whole());
     surface_shift_ = 0.0;
     if (!done) return false;
     // The feed of the block acts up to the position.
-    if (has_place && words.feed) {
+    if ((has_place || at_places) && words.feed) {
         feed_ = feed_before;
         machine_.state().feed = feed_of(feed_before);
     }

@@ -104,6 +104,7 @@ bool Runner::act() {
         case Verb::ToolDef: return control_.tool_def(block_);
         case Verb::CyclDef: return control_.cycle_def(block_);
         case Verb::CyclCall: return control_.cycle_call(block_);
+        case Verb::PatternDef: return control_.pattern_def(block_);
         case Verb::CyclEnd: control_.cycle_end(block_); return true;
         case Verb::CallLbl: return call_label();
         case Verb::CallPgm: return call_program();

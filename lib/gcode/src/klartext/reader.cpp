@@ -107,7 +107,7 @@ constexpr auto kVerbs = std::to_array<VerbName>({
     {"RND", "", Verb::Rounding},
     {"CHF", "", Verb::Chamfer},
     {"TCH", "PROBE", Verb::Other},
-    {"PATTERN", "DEF", Verb::Other},
+    {"PATTERN", "DEF", Verb::PatternDef},
     {"CONTOUR", "DEF", Verb::Other},
     {"GLOBAL", "DEF", Verb::Other},
     {"SEL", "PGM", Verb::Other},

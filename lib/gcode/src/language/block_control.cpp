@@ -175,6 +175,7 @@ void BlockControl::add_tool_names(const std::vector<std::string>& names) {
 
 /// Returns the number that stands for the tool `tool_name`.
 int BlockControl::number_of(const std::string& tool_name) {
+    if (const int number = number_in_name(tool_name); number > 0) return number;
     add_tool_names({tool_name});
     return named_tools_.at(tool_name);
 }

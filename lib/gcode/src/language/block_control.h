@@ -28,6 +28,10 @@ inline constexpr std::array kCentres{'I', 'J', 'K'};
 /// Number of the first tool with a name; the next names follow.
 inline constexpr int kFirstNamedTool = 9001;
 
+/// Returns the number of a tool whose name is a number below `kFirstNamedTool`, as in T="12";
+/// otherwise 0.
+int number_in_name(std::string_view name);
+
 /// Corner between a path block and the next block.
 struct Corner {
     char letter = 'R';  ///< 'R' (rounding), 'C' (chamfer), 'L' (chamfer by its length).

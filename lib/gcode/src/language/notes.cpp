@@ -24,6 +24,17 @@ void NoteWriter::begin_block(Block& block) {
     block.comments = std::move(comments);
 }
 
+int number_in_name(std::string_view name) {
+    constexpr std::size_t kMostDigits = 4;
+    if (name.empty() || name.size() > kMostDigits) return 0;
+    int number = 0;
+    for (const char digit : name) {
+        if (!is_digit(digit)) return 0;
+        number = 10 * number + (digit - '0');
+    }
+    return number < kFirstNamedTool ? number : 0;
+}
+
 void NoteWriter::add(Block& block, std::string text, SourceSpan span) {
     texts_.push_back(std::move(text));
     Comment comment;
@@ -41,6 +52,7 @@ void NoteWriter::add(Block& block, char letter, double number, SourceSpan span) 
 }
 
 void NoteWriter::add_tool(Block& block, std::string_view name, SourceSpan span) {
+    if (const int number = number_in_name(name); number > 0) return add(block, 'T', number, span);
     const auto known = std::ranges::find(names_, name);
     const int number = kFirstNamedTool + static_cast<int>(known - names_.begin());
     // The number makes the text a description of this tool: "T9001 CUTTER 16".

@@ -86,7 +86,15 @@ std::optional<double> Resolver::evaluated(std::string_view text, SourceSpan span
     const std::optional<double> value = evaluate(text, parameters_, arithmetic, fault, open);
     unknown = parameters_.take_unknown();
     if (!value) log_.add(Severity::Error, fault.message, span, {fault.argument});
+    if (value && rules_.macro_b) report_power(text, span);
     return value;
+}
+
+/// Reports ** and ^ on Fanuc and Haas, whose macros have no operator for powers.
+void Resolver::report_power(std::string_view text, SourceSpan span) {
+    if (text.find('^') == std::string_view::npos && text.find("**") == std::string_view::npos)
+        return;
+    log_.add(Message::PowerOperator, span);
 }
 
 std::optional<double> Resolver::value_to_keep(const Word& word, std::string& unknown) {
@@ -197,7 +205,8 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         group = Group::ToolLength;
     if (code == Code::G234 && knows_joints_) group = Group::ToolLength;
     if (group == Group::Ignored) {
-        command.has_others = true;                             // The code may have words.
+        command.has_others = true;  // The code may have words.
+        command.from_one_side = command.from_one_side || code == Code::G60;
         return entry_of(code).takes_axes ? put(group) : true;  // X Y Z of G22 are limits.
     }
     const Code other = command.group(group);
@@ -233,6 +242,9 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
     if (group == MGroup::Unknown || foreign) {
         // M100 … M199 are defined by the user on LinuxCNC; without the scripts these codes are
         // unknown.
+        constexpr int kRigidTapping = 29;
+        const bool taps = number == kRigidTapping && rules_.dialect == Dialect::Fanuc;
+        command.rigid_tapping = command.rigid_tapping || (taps && !rules_.strict);
         if (is_allowed('M', value)) return true;
         if (is_whole && !rules_.strict && is_harmless_m(number, rules_.dialect)) return true;
         return tolerate(Message::UnknownM, word.span, {text_of(word, value)});
@@ -271,6 +283,8 @@ bool Resolver::resolve(const Block& block, Command& command) {
     command.has_angle = false;
     command.has_m = false;
     command.mist_and_flood = false;
+    command.rigid_tapping = false;
+    command.from_one_side = false;
     bool takes_e = false;  // E is a port of M66 to M68, or the tolerance of G187.
     command.clamps.clear();
     command.has_others = false;

@@ -47,6 +47,7 @@ private:
     std::optional<double> evaluated(std::string_view text, SourceSpan span, bool open,
                                     const Arithmetic& arithmetic, std::string& unknown);
     double round_scale_of(char letter) const;
+    void report_power(std::string_view text, SourceSpan span);
     bool take_g(const Block& block, const Word& word, double value, Command& command);
     bool take_m(const Word& word, double value, Command& command);
     std::string text_of(const Word& word, double value) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Calls of subprograms by O-words, M98, M97, G65: search, entry and return.
+#include "ncsim/base/ascii.h"
+
 #include "control/cycles/cycle_steps.h"
 #include "program/runner.h"
 #include "text/line_end.h"
@@ -191,8 +193,50 @@ void Runner::report_control_program(double number, SourceSpan span) {
     log_.add(Message::MacroMissing, span, {join_label("O", label), label});
 }
 
+/// Finds the program `name`: a line "<NAME>" of an open file, otherwise a file with the name.
+std::optional<Runner::Target> Runner::find_named_program(std::string_view name) {
+    const std::string lower_name = lowercase(name);
+    if (const auto found = find_target(ControlWord::ProgramNumber, lower_name, false)) return found;
+    for (const std::string& file_name : {std::string(name), lower_name, uppercase(name)}) {
+        const std::optional<std::size_t> opened = open_file(file_name);
+        if (opened) return Target{*opened, static_cast<std::size_t>(-1)};
+    }
+    return std::nullopt;
+}
+
+/// Returns the file of "M98 (folder/name.nc)" on Haas, Mach3 and unnamed controls: the last part of
+/// the path in the first comment. Empty on controls whose M98 needs P.
+std::optional<std::string_view> Runner::name_in_comment() const {
+    const bool takes_comment = rules_.dialect == Dialect::Haas ||
+                               rules_.dialect == Dialect::Mach3 ||
+                               (rules_.dialect == Dialect::Rs274 && !rules_.is_linuxcnc());
+    if (!takes_comment || block_.comments.empty()) return std::nullopt;
+    std::string_view path = trimmed(block_.comments.front().text);
+    const std::size_t slash = path.find_last_of("/\\");
+    if (slash != std::string_view::npos) path.remove_prefix(slash + 1);
+    if (path.empty()) return std::nullopt;
+    return path;
+}
+
+/// M98 <NAME>: calls the program of that name.
+void Runner::call_program_file(std::string_view name) {
+    const std::string label = std::string("<").append(name).append(">");
+    const std::optional<Target> target = find_named_program(name);
+    if (!target) return fault(Message::ProgramNotFound, command_.span, {label});
+    const double runs = command_.get('L', 1.0);
+    if (runs < 1.0) return;
+    Frame frame;
+    frame.kind = CallKind::Subprogram;
+    frame.label = label;
+    frame.remaining = static_cast<std::uint64_t>(std::min(runs, 1e9)) - 1;
+    enter(std::move(frame), *target);
+}
+
 void Runner::call_subprogram() {
+    if (!block_.program_name.empty()) return call_program_file(block_.program_name);
     const Word* p = find_word(block_, 'P');
+    const std::optional<std::string_view> in_comment = name_in_comment();
+    if (!p && in_comment) return call_program_file(*in_comment);
     const SourceSpan span = command_.span;
     if (!p || !command_.has('P') || command_['P'] < 0.0 || command_['P'] > 1e9) {
         return fault(Message::CallWithoutNumber, span, {"M98"});

@@ -98,6 +98,7 @@ bool has_code(const Block& block, char letter, double number) {
 std::vector<std::string> called_programs(const Block& block, bool& any) {
     const bool calls = has_code(block, 'M', 98) || has_code(block, 'G', 65) ||
                        has_code(block, 'G', 66) || has_code(block, 'G', 150);
+    if (!block.program_name.empty()) return {lowercase(block.program_name)};
     const Word* p = calls ? find_word(block, 'P') : nullptr;
     if (!p) return {};
     if (!p->literal || !(p->number >= 0.0 && p->number < 1e9)) {
@@ -119,33 +120,52 @@ bool is_join(ControlWord word) {
 
 }  // namespace
 
-/// Lines and programs that blocks name: possible continuations and calls.
-struct NamedTargets {
+/// Numbers of lines that blocks name.
+struct NamedLines {
     std::set<std::uint32_t> lines;
-    bool any_line = false;     ///< The program has a jump to a computed line.
-    bool any_program = false;  ///< The program has a call of a computed number.
+    bool any = false;  ///< The number of a line is computed.
 
-    void add_line(const Block& block, char letter) {
+    bool operator==(const NamedLines&) const = default;
+
+    bool contains(std::uint32_t number) const { return any || lines.contains(number); }
+
+    void add(const Block& block, char letter) {
         const Word* word = find_word(block, letter);
         if (!word) return;
-        if (!word->literal) any_line = true;
+        if (!word->literal) any = true;
         if (word->literal && word->number >= 0.0 && word->number < 4e9)
             lines.insert(static_cast<std::uint32_t>(word->number));
     }
+};
 
-    void read(const Block& block) {
+/// Lines at which execution can continue: a jump names a line of its own section, M99 P a line of
+/// any section.
+struct NamedTargets {
+    std::vector<NamedLines> of_sections;
+    NamedLines of_returns;
+
+    bool operator==(const NamedTargets&) const = default;
+
+    bool contain(std::size_t section, std::uint32_t number) const {
+        return of_returns.contains(number) ||
+               (section < of_sections.size() && of_sections[section].contains(number));
+    }
+
+    void read(std::size_t section, const Block& block) {
+        if (of_sections.size() <= section) of_sections.resize(section + 1);
+        NamedLines& own = of_sections[section];
         const ControlWord control = block.control.word;
         const std::string_view label = block.control.label;
         if ((control == ControlWord::Goto || control == ControlWord::If) && !label.empty()) {
             if (is_literal(label)) {
-                lines.insert(
+                own.lines.insert(
                     static_cast<std::uint32_t>(std::stoull(std::string(label.substr(0, 9)))));
             } else {
-                any_line = true;
+                own.any = true;
             }
         }
-        if (has_code(block, 'M', 97) || has_code(block, 'M', 99) || has_code(block, 'G', 150))
-            add_line(block, 'P');
+        if (has_code(block, 'M', 97) || has_code(block, 'G', 150)) own.add(block, 'P');
+        if (has_code(block, 'M', 99)) of_returns.add(block, 'P');
     }
 };
 
@@ -153,28 +173,22 @@ struct NamedTargets {
 class FileReaderPass {
 public:
     FileReaderPass(FilePrograms& programs, const SourceFile& file)
-        : programs_(programs), file_(file) {
-        BlockReader reader(file);
-        Block block;
-        while (reader.next(block)) {
-            targets_.read(block);
-            (void)called_programs(block, targets_.any_program);
-        }
-    }
+        : programs_(programs), file_(file) {}
 
+    /// Reads the file until all targets of reached blocks count: a jump makes its target reached,
+    /// which may contain further jumps.
+    /// Returns: true if a call has a computed number.
     bool run() {
-        programs_.sections_.emplace_back();
-        BlockReader reader(file_);
-        Block block;
-        std::size_t begin = reader.place().offset;
-        while (reader.next(block)) {
-            take(block, begin);
-            begin = reader.place().offset;
+        constexpr int kMostPasses = 10;
+        for (int i = 0; i < kMostPasses; ++i) {
+            scan();
+            if (named_ == targets_) break;
+            targets_ = named_;
+            takes_all_ = takes_all_ || i + 3 == kMostPasses;
         }
-        last().end = file_.text.size();
         for (const Call& call : calls_)
             programs_.sections_[call.section].calls.push_back(number_of(call));
-        return targets_.any_program;
+        return calls_any_;
     }
 
 private:
@@ -195,14 +209,37 @@ private:
 
     FilePrograms::Section& last() { return programs_.sections_.back(); }
 
+    /// Reads the file once, with the targets of the pass before.
+    void scan() {
+        programs_.sections_.assign(1, {});
+        programs_.unreached_.clear();
+        calls_.clear();
+        named_ = {};
+        subs_ = 0;
+        has_stopped_ = false;
+        end_line_ = 0;
+        is_reached_ = true;
+        is_reported_ = is_opened_ = has_words_ = calls_any_ = false;
+        BlockReader reader(file_);
+        Block block;
+        std::size_t begin = reader.place().offset;
+        while (reader.next(block)) {
+            take(block, begin);
+            begin = reader.place().offset;
+        }
+        last().end = file_.text.size();
+    }
+
     void begin_section(const Block& block, std::size_t begin) {
         last().end = begin;
         last().runs_on = is_reached_;
         FilePrograms::Section& next = programs_.sections_.emplace_back();
         next.number = plain_label(block.control.label);
-        next.label = "O" + std::string(block.control.label);
+        const bool is_name = block.control.label.starts_with('<');
+        next.label = (is_name ? "" : "O") + std::string(block.control.label);
         next.span = block.control.span;
         next.begin = begin;
+        has_stopped_ = false;
         is_reached_ = true;
     }
 
@@ -213,9 +250,11 @@ private:
         if (control == ControlWord::Sub) ++subs_;
         if (control == ControlWord::EndSub && subs_ > 0) --subs_;
         if (control == ControlWord::ProgramNumber && subs_ == 0) begin_section(block, begin);
-        const bool is_target =
-            block.has_number && (targets_.any_line || targets_.lines.contains(block.number));
+        const std::size_t section = programs_.sections_.size() - 1;
+        const bool is_target = block.has_number && (targets_.contain(section, block.number) ||
+                                                    named_.contain(section, block.number));
         if (is_target || is_join(control)) is_reached_ = true;
+        if (is_reached_ || takes_all_) named_.read(section, block);
         if (subs_ > 0) return;
         has_words_ = has_words_ || !block.words.empty();
         act(block, control);
@@ -224,8 +263,7 @@ private:
     void act(const Block& block, ControlWord control) {
         FilePrograms::Section& section = last();
         section.has_words = section.has_words || !block.words.empty();
-        bool any = false;
-        if (std::vector<std::string> numbers = called_programs(block, any); !numbers.empty())
+        if (std::vector<std::string> numbers = called_programs(block, calls_any_); !numbers.empty())
             calls_.push_back({programs_.sections_.size() - 1, std::move(numbers)});
         const bool moves = std::ranges::any_of(block.words, [](const Word& word) {
             return !word.comma && kAxes.find(word.letter) != std::string_view::npos;
@@ -243,8 +281,10 @@ private:
         const bool returns = has_code(block, 'M', 99);
         if (is_reached_) {
             section.ends = section.ends || ends;
-            section.returns = section.returns || returns;
+            // M99 behind an end returns from lines that M97 calls.
+            section.returns = section.returns || (returns && !has_stopped_);
         }
+        has_stopped_ = has_stopped_ || (ends && !is_conditional && is_reached_);
         if ((ends || returns) && !is_conditional) stop(block.line);
     }
 
@@ -270,7 +310,11 @@ private:
 
     FilePrograms& programs_;
     const SourceFile& file_;
-    NamedTargets targets_;
+    NamedTargets targets_;  // Targets of reached blocks, by the pass before.
+    NamedTargets named_;    // Targets of reached blocks, by this pass.
+    bool takes_all_ = false;
+    bool has_stopped_ = false;  // The section has an end without a condition.
+    bool calls_any_ = false;
     std::vector<Call> calls_;
     std::size_t subs_ = 0;
     bool is_reached_ = true;

@@ -120,11 +120,16 @@ void Runner::macro_call(int g) {
         unknown[static_cast<std::size_t>(n)] = std::move(depends_on);
     }
     const SourceSpan span = block.words.empty() ? block.line_span() : block.words.front().span;
-    if (!program || !(*program >= 0.0 && *program < 1e9)) {
+    const std::string name(block.program_name);
+    if (name.empty() && (!program || !(*program >= 0.0 && *program < 1e9))) {
         return fault(Message::CallWithoutNumber, span, {"G65"});
     }
-    const std::string label = std::to_string(std::lround(*program));
-    const std::optional<Target> target = find_target(ControlWord::ProgramNumber, label, true);
+    const std::string label = name.empty() ? std::to_string(std::lround(*program)) : name;
+    const std::optional<Target> target = name.empty()
+                                             ? find_target(ControlWord::ProgramNumber, label, true)
+                                             : find_named_program(name);
+    if (!target && !name.empty())
+        return fault(Message::ProgramNotFound, span, {std::string("<").append(name).append(">")});
     if (!target) {
         if (rules_.macro_b && probe_macro(static_cast<int>(std::lround(*program)), values, span))
             return;

@@ -38,7 +38,7 @@ void Runner::execute_text(const std::string& text, SourceSpan span) {
 }
 
 /// Makes the moves of the macro `number`. P9832 and P9833 turn the probe on and off, P9810 moves to
-/// X Y Z and stops at contact, P9811 measures a surface and returns.
+/// X Y Z, and a contact on its way is an alarm; P9811 measures a surface and returns.
 /// Returns: false if the macro is unknown.
 bool Runner::probe_macro(int number, const std::array<double, Parameters::kLocals + 1>& values,
                          SourceSpan span) {
@@ -69,7 +69,7 @@ bool Runner::probe_macro(int number, const std::array<double, Parameters::kLocal
     }
     log_.add(Message::ProbeMacro, span,
              {name, number == 9810 ? "moves there, protected" : "measures there and comes back"});
-    execute_text("G31" + there + feed, span);
+    execute_text((number == 9810 ? "G1" : "G31") + there + feed, span);
     if (number == 9811) execute_text("G90G1" + back, span);
     MachineState& after = machine_.state();
     after.motion = before.motion;

@@ -18,6 +18,12 @@ bool is_macro_call(const Word& word) {
            word.number == std::floor(word.number);
 }
 
+bool has_g(const Block& block, double number) {
+    return std::ranges::any_of(block.words, [number](const Word& word) {
+        return word.letter == 'G' && word.literal && word.number == number;
+    });
+}
+
 bool uses_variables(const Block& block) {
     return !block.assignments.empty() ||
            std::ranges::any_of(block.words, [](const Word& word) { return !word.literal; });
@@ -111,6 +117,7 @@ void Runner::execute_before(std::size_t count) {
 }
 
 void Runner::act_on_words() {
+    if (data_lines_ != 0 && take_data_line()) return;
     if (!rules_.strict) {
         const auto call = std::ranges::find_if(block_.words, is_macro_call);
         if (call != block_.words.end()) {
@@ -121,6 +128,7 @@ void Runner::act_on_words() {
     }
     if (!resolver_.resolve(block_, command_)) return;
     note_control_dependent();
+    note_language();
     head_modes_.note(command_);
     if (options_.least_increments) {
         scale_increments();
@@ -147,6 +155,7 @@ void Runner::act_on_words() {
     if (command_.group(MGroup::Other) != kNone && !rules_.macro_b)
         save_or_restore(command_.group(MGroup::Other));
     machine_.execute(command_);
+    begin_data_lines();
     note_blend();
     if (machine_.stopped()) {
         stop();
@@ -156,6 +165,17 @@ void Runner::act_on_words() {
     // Moves of the macro itself trigger no calls.
     if (!modal_call_.empty() && path_.count() > motions && frames_.size() <= modal_level_)
         macro_call(0);
+}
+
+/// Reports moves behind G290, with which SINUMERIK leaves the ISO language that G291 selects.
+void Runner::note_language() {
+    constexpr double kNative = 290.0;
+    constexpr double kIso = 291.0;
+    if (has_g(block_, kNative)) is_native_ = true;
+    if (has_g(block_, kIso)) is_native_ = false;
+    if (!is_native_ || !command_.axis_words) return;
+    log_.add(Message::LanguageSwitch, command_.span);
+    is_native_ = false;
 }
 
 /// Records the first block that controls execute in different ways (Rules).
@@ -169,7 +189,7 @@ void Runner::note_control_dependent() {
     if (!is_cycle(command_.group(Group::Motion)) && (side == Code::None || side == Code::G40) &&
         one_shot != Code::G10 && one_shot != Code::G28 && one_shot != Code::G30 &&
         command_.group(MGroup::Other) == kNone && command_.group(MGroup::Call) == kNone &&
-        !is_zero('H') && !is_zero('D') && !uses_variables(block_))
+        !is_zero('H') && !is_zero('D') && !command_.from_one_side && !uses_variables(block_))
         return;
     result_.control_dependent = {static_cast<std::uint32_t>(current_), command_.span};
 }

@@ -80,6 +80,8 @@ private:
                        const std::string& unknown);
     void tool_change_in_comment();
     void act_on_words();
+    void begin_data_lines();
+    bool take_data_line();
     void execute_before(std::size_t count);
     void scale_increments();
     void check_points();
@@ -87,6 +89,7 @@ private:
     void note_points();
     void note_blend();
     void note_control_dependent();
+    void note_language();
 
     // Control words. Each function may seek, call or return.
     void o_word();
@@ -104,6 +107,9 @@ private:
     void save_or_restore(int m);
     bool call_code(int m);
     void call_subprogram();
+    std::optional<Target> find_named_program(std::string_view name);
+    std::optional<std::string_view> name_in_comment() const;
+    void call_program_file(std::string_view name);
     bool is_control_program(double number) const;
     void report_control_program(double number, SourceSpan span);
     bool probe_macro(int number, const std::array<double, Parameters::kLocals + 1>& values,
@@ -145,6 +151,8 @@ private:
     std::uint32_t else_if_line_ = 0;  // Line of an elseif that was reached by a jump.
     std::string modal_call_;          // G66: the block to execute after each move.
     std::size_t modal_level_ = 0;     // Call level of the G66.
+    int data_lines_ = 0;              // L of the G10 whose lines of data end at G11; 0: none.
+    bool is_native_ = false;          // Behind G290 of SINUMERIK.
     bool in_main_title_ = false;      // After "O1" of the main program.
     bool percent_opened_ = false;
     bool something_read_ = false;

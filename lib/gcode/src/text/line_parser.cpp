@@ -196,10 +196,21 @@ bool LineParser::is_percent() {
 bool LineParser::is_console_command() {
     static constexpr std::array<std::string_view, 5> kFanucOutput = {"dprnt", "bprnt", "popen",
                                                                      "pclos", "setvn"};
+    // Lines for grbl that unlock the control, or show its state, settings and offsets.
+    static constexpr std::array<std::string_view, 7> kViews = {"$x", "$g", "$#", "$$",
+                                                               "$i", "$n", "?"};
     const char c = text_[0];
+    if (std::ranges::find(kViews, text_) != kViews.end() && !options_.strict) {
+        report(Message::ConsoleState, span(0, text_.size()), {trimmed(line_)});
+        block_.kind = BlockKind::Command;
+        return true;
+    }
     // "<PART>" alone is the name of a program of newer Fanuc controls.
     if (c == '<' && text_.find('>') == text_.size() - 1 && !options_.strict) {
-        block_.kind = BlockKind::Command;
+        block_.control = {};
+        block_.control.word = ControlWord::ProgramNumber;
+        block_.control.label = text_;
+        block_.control.span = span(0, text_.size());
         return true;
     }
     // M117 and M118 show the rest of the line on a display.

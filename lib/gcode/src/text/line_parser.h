@@ -78,6 +78,8 @@ private:
     bool is_block_delete_at(std::size_t at) const;
     bool read_assignment();
     bool read_checksum();
+    /// Reads "<NAME>" behind M98, M198, G65 or G66.
+    bool read_program_name();
 
     // line_control.cpp
     /// Reads "o100 sub", "o<name> call [1]", and the Fanuc program number "O1234".

@@ -7,6 +7,7 @@
 #include "text/number.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace ncsim::gcode {
 
@@ -16,6 +17,14 @@ namespace {
 bool takes_e(char letter, double number) {
     return (letter == 'M' && number >= 66.0 && number <= 68.0) ||
            (letter == 'G' && (number == 65.0 || number == 66.0));
+}
+
+/// True if `words` end in a code that calls a program.
+bool calls_program(const std::vector<Word>& words) {
+    if (words.empty() || !words.back().literal) return false;
+    const double number = words.back().number;
+    return (words.back().letter == 'M' && (number == 98.0 || number == 198.0)) ||
+           (words.back().letter == 'G' && (number == 65.0 || number == 66.0));
 }
 
 }  // namespace
@@ -28,6 +37,8 @@ bool LineParser::read_words() {
         const char c = text_[at_];
         if (c == '#') {
             if (!read_assignment()) return false;
+        } else if (c == '<' && calls_program(block_.words) && !options_.strict) {
+            if (!read_program_name()) return false;
         } else if (c == '*') {
             if (!read_checksum()) return false;
         } else if (c == ',' && at_ + 1 < text_.size() && is_letter(text_[at_ + 1])) {
@@ -123,6 +134,14 @@ bool LineParser::read_assignment() {
     }
     if (has_exponent(start)) return false;
     block_.assignments.push_back({name, text_.substr(value, at_ - value), span(start, at_)});
+    return true;
+}
+
+bool LineParser::read_program_name() {
+    const std::size_t open = at_;
+    if (!skip_name()) return false;
+    const std::size_t first = columns_[open];  // Behind the '<', counted from 0.
+    block_.program_name = line_.substr(first, columns_[at_ - 1] - 1 - first);
     return true;
 }
 

@@ -16,6 +16,7 @@ void reset(Block& block, std::uint32_t line, std::string_view text) {
     block.kind = BlockKind::Words;
     block.line = line;
     block.block_delete = false;
+    block.program_name = {};
     block.deletable = {};
     block.has_number = false;
     block.number = 0;

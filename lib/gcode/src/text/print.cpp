@@ -142,6 +142,7 @@ void print(std::string& out, const Block& block) {
             out += word.text;
         }
     }
+    if (!block.program_name.empty()) out.append(" <").append(block.program_name).append(1, '>');
     for (const Comment& comment : block.comments) {
         out.append(comment.semicolon ? " ;" : " (").append(comment.text);
         if (!comment.semicolon) out += ')';

@@ -215,12 +215,42 @@ std::string text_of(const Box& box) {
                        box.max.y, box.max.z);
 }
 
+// Returns the point angle of drills, spot drills, V-cutters, chamfer mills and countersinks, which
+// all have the shape of a cylinder above a cone; nullopt for other tools.
+std::optional<double> point_angle(const toolpath::ToolSpec& spec) {
+    using toolpath::ToolKind;
+    constexpr double kDrill = 118.0;
+    constexpr double kCutter = 90.0;
+    if (!spec.kind || spec.tip_diameter.value_or(0.0) > 0.0) return std::nullopt;
+    switch (*spec.kind) {
+        case ToolKind::Drill: return spec.angle.value_or(kDrill);
+        case ToolKind::VCutter:
+        case ToolKind::ChamferMill:
+        case ToolKind::Countersink:
+            return spec.angle.value_or(spec.taper ? 2.0 * *spec.taper : kCutter);
+        default: return std::nullopt;
+    }
+}
+
+// True if the shapes differ by kind or angle: a spot drill of 90 degrees is a drill of 90 degrees,
+// and no V-cutter of 60 degrees. Angles that are not specified count only if the kinds differ.
+bool has_other_shape(const toolpath::ToolSpec& a, const toolpath::ToolSpec& b) {
+    constexpr double kSameAngle = 0.01;
+    if (!a.kind || !b.kind) return false;
+    const bool is_same_kind = *a.kind == *b.kind;
+    const std::optional<double> angle_a = point_angle(a);
+    const std::optional<double> angle_b = point_angle(b);
+    if (!angle_a || !angle_b) return !is_same_kind;
+    const bool is_specified = (a.angle || a.taper) && (b.angle || b.taper);
+    return (is_specified || !is_same_kind) && std::abs(*angle_a - *angle_b) > kSameAngle;
+}
+
 // Adds a doubt if --tool and a description in a file or comment are of different tools.
 void doubt_contradiction(Job& job, const toolpath::ToolEntry& option,
                          const toolpath::ToolEntry& entry) {
     constexpr double kSame = 1e-3;  // mm; CAM systems round printed values
     const toolpath::ToolSpec &a = option.spec, &b = entry.spec;
-    const bool has_other_kind = a.kind && b.kind && *a.kind != *b.kind;
+    const bool has_other_kind = has_other_shape(a, b);
     const bool has_other_diameter =
         a.diameter && b.diameter && std::abs(*a.diameter - *b.diameter) > kSame;
     if (!has_other_kind && !has_other_diameter) return;

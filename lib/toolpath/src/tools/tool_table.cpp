@@ -92,6 +92,7 @@ public:
 
     void read(const Block& block) {
         if (!block.words.empty()) in_list_ = false;  // lists are on lines of their own
+        in_title_ = block.control.word == gcode::ControlWord::ProgramNumber;
         for (const gcode::Comment& comment : block.comments) {
             if (const int tool = gcode::tool_called_in(comment); tool > 0) {
                 call_tool(tool);
@@ -169,6 +170,8 @@ private:
         } else if (auto tool = read_tool_remark(comment.text)) {
             PlacedRemark placed{std::move(*tool), comment.span, std::string(comment.text), 0};
             placed.owner = placed.remark.spec.number;
+            // "O600 (TAP M8)" names the work of the program, not the first tool.
+            if (placed.owner == 0 && in_title_) return false;
             if (placed.owner == 0 && in_list_) {
                 listed_.push_back(std::move(placed));
                 return true;
@@ -370,6 +373,7 @@ private:
     bool zero_specified_ = false;
     bool size_is_elsewhere_ = false;
     bool size_expected_ = false;  // after "Material Size"
+    bool in_title_ = false;       // The comment is in the line of an O number.
     bool in_list_ = false;        // after "Required tools:"
     std::vector<PlacedRemark> listed_;
     std::vector<int> calls_;  // tool numbers in the order of their first call

@@ -40,7 +40,7 @@ struct Assignment {
 /// Control words of RS274/NGC and of Fanuc Macro B: subprograms, branches, loops and jumps.
 enum class ControlWord : std::uint8_t {
     None,
-    ProgramNumber,  ///< "O1234", ":1234": start of a Fanuc program or subprogram.
+    ProgramNumber,  ///< "O1234", ":1234", "<NAME>": start of a Fanuc program or subprogram.
     Sub,
     EndSub,
     Call,
@@ -78,7 +78,7 @@ struct Control {
 enum class BlockKind : std::uint8_t {
     Words,    ///< Words, assignments, a control word, or only comments.
     Percent,  ///< A line that starts with '%'.
-    /// A line for the sender or the console of the control: "$H", "?", "<NAME>", "DPRNT[…]".
+    /// A line for the sender or the console of the control: "$H", "?", "DPRNT[…]".
     Command,
     Unreadable,  ///< Reported as an error; must not be executed.
 };
@@ -97,7 +97,8 @@ struct Block {
     std::vector<Word> words;  ///< Words except N and O, in the order of the text.
     std::vector<Assignment> assignments;
     std::vector<Comment> comments;
-    std::string_view text;  ///< The whole line without the line end.
+    std::string_view program_name;  ///< NAME of "M98 <NAME>", "G65 <NAME>"; empty: none.
+    std::string_view text;          ///< The whole line without the line end.
 
     SourceSpan line_span() const { return {line, 1, static_cast<std::uint32_t>(text.size())}; }
 };

@@ -77,6 +77,7 @@ struct MachineState {
     Plane plane = Plane::XY;
     FeedMode feed_mode = FeedMode::PerMinute;
     bool spindle_in_doubt = false;     ///< M0 came after M3; on many machines M0 stops the spindle.
+    bool rigid_tapping = false;        ///< M29 of Fanuc, until a cycle ends.
     bool spindle_oriented = false;     ///< M19, and no M3, M4 or M5 since.
     std::optional<bool> steps_aside;   ///< As in Motion.
     bool previous_was_spline = false;  ///< The next G5 may omit the first control point.

@@ -104,8 +104,8 @@ bool drill(MachineState& state, const Drilling& drilling, const Axes& above, Con
     }
     const bool taps = motion == Code::G74 || motion == Code::G84;
     // Rigid tapping starts the spindle, and stops it at the end. Taps of Haas are always rigid.
-    const bool is_rigid =
-        turning == SpindleTurning::Stopped || context.rules.dialect == Dialect::Haas;
+    const bool is_rigid = turning == SpindleTurning::Stopped || state.rigid_tapping ||
+                          context.rules.dialect == Dialect::Haas;
     if (taps && is_rigid && !context.rules.is_linuxcnc()) {
         state.spindle =
             motion == Code::G84 ? SpindleTurning::Clockwise : SpindleTurning::Counterclockwise;
@@ -123,7 +123,7 @@ bool drill(MachineState& state, const Drilling& drilling, const Axes& above, Con
                 motion == Code::G84 ? SpindleTurning::Counterclockwise : SpindleTurning::Clockwise;
             context.path.dwell(state, seconds);
             to(fed_back, MoveKind::Feed);
-            state.spindle = turning;
+            state.spindle = state.rigid_tapping ? SpindleTurning::Stopped : turning;
             if (fed_back != clear) to(clear, MoveKind::Rapid);
             break;
         case Code::G85:
@@ -235,8 +235,56 @@ bool cycle_words(MachineState& state, const Command& command, Code motion, Conte
 void end_cycle(MachineState& state, const Setup& setup) {
     const double p = state.cycle.p;
     state.cycle = {};
+    state.rigid_tapping = false;
     if (setup.rules.is_linuxcnc()) state.cycle.p = p;
 }
+
+bool drills_again(const MachineState& state, const Command& command, const Setup& setup) {
+    return setup.rules.drills_by_r && state.cycle.running && is_cycle(state.motion) &&
+           command.group(Group::Motion) == Code::None && command.has('R') &&
+           !command.axes_are_taken() && command.group(MGroup::Call) == kNone;
+}
+
+namespace {
+
+/// Stores words of a block without a hole for the next block. Fanuc drops them.
+bool keep_cycle_words(MachineState& state, const Command& command, std::string_view name,
+                      Context& context) {
+    if (context.rules.strict) return fail(context, Message::AxesMissing, command.span, {name});
+    if (context.rules.drills_by_r) {
+        for (const char letter : {'Q', 'P'}) {
+            if (command.has(letter))
+                warn(context, Message::CycleWordsLost, span_of(command, letter), {{&letter, 1}});
+        }
+        return true;
+    }
+    CycleState& cycle = state.cycle;
+    if (!cycle.running) {
+        cycle = {};
+        cycle.running = true;
+        cycle.initial = state.position[axes_of(state.plane).third];
+    }
+    cycle.code = state.motion;
+    if (command.has('R')) cycle.r = command['R'], cycle.has_r = true;
+    if (command.has('Q')) cycle.q = std::abs(command['Q']);
+    if (command.has('P')) cycle.p = seconds_of(command, 'P', context), cycle.has_p = true;
+    return true;
+}
+
+/// Reports a block of a modal cycle without a word of the plane, in which the manual of Haas has no
+/// hole.
+void note_cycle_without_place(const MachineState& state, const Command& command, Code motion,
+                              Context& context) {
+    if (!context.rules.holes_need_place || command.group(Group::Motion) != Code::None) return;
+    const PlaneAxes axes = axes_of(state.plane);
+    const bool has_place =
+        command.has(kAxisNames[axes.first]) || command.has(kAxisNames[axes.second]);
+    const bool turns = command.has_any(letters('A', 'B', 'C'));
+    if (!has_place && !turns)
+        warn(context, Message::CycleWithoutPlace, command.span, {name_of(motion)});
+}
+
+}  // namespace
 
 bool drill_cycle(MachineState& state, const Command& command, Code motion, Context& context) {
     const std::string_view name = name_of(motion);
@@ -244,13 +292,9 @@ bool drill_cycle(MachineState& state, const Command& command, Code motion, Conte
         context.stopped = true;
         return fail(context, Message::LatheCycle, command.span, {name});
     }
-    if (!command.axis_words) {
-        // Words without a hole position are stored for the next block.
-        if (context.rules.strict) return fail(context, Message::AxesMissing, command.span, {name});
-        if (command.has('R')) state.cycle.r = command['R'], state.cycle.has_r = true;
-        if (command.has('Q')) state.cycle.q = std::abs(command['Q']);
-        return true;
-    }
+    const bool by_r = context.rules.drills_by_r && command.has('R');
+    if (!command.axis_words && !by_r) return keep_cycle_words(state, command, name, context);
+    note_cycle_without_place(state, command, motion, context);
     if (!needs_feed(state, command, name, context) || !cycle_words(state, command, motion, context))
         return false;
 

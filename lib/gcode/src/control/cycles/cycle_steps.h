@@ -31,6 +31,8 @@ double seconds_of(const Command& command, char letter, const Setup& setup);
 bool cycle_words(MachineState& state, const Command& command, Code motion, Context& context);
 /// Ends the cycle. LinuxCNC keeps the dwell.
 void end_cycle(MachineState& state, const Setup& setup);
+/// True for R alone under a modal cycle of Fanuc, which drills again.
+bool drills_again(const MachineState& state, const Command& command, const Setup& setup);
 bool drill_cycle(MachineState& state, const Command& command, Code motion, Context& context);
 /// Computes the position of the first hole, excluding the depth word.
 bool hole_place(MachineState& state, const Command& command, Axes& hole, AxisMask& mask,

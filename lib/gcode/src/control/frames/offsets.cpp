@@ -343,6 +343,13 @@ bool set_data(ControlState& control, const Command& command, Context& context) {
             if (p < 0 || !is_register(command, l, context))
                 return fail(context, Message::G10Form, span);
             return set_register(control, command, p, l, context);
+        case 3:
+        case 50:
+        case 51:
+        case 52:
+            // Runner leaves out the lines of data up to G11.
+            if (context.rules.has_data_lines()) return true;
+            return fail(context, Message::G10Form, span);
         default: return fail(context, Message::G10Form, span);
     }
 }

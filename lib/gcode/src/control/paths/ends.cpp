@@ -182,7 +182,16 @@ bool cut_thread(MachineState& state, const Command& command, Code motion, Contex
     state.feed = command.get('K', 0.0);
     state.feed_mode = FeedMode::PerRevolution;
     context.path.linear_move(state, end, MoveKind::Feed, mask);
-    if (motion == Code::G33_1) context.path.linear_move(state, start, MoveKind::Feed, mask);
+    if (motion == Code::G33_1) {
+        // The spindle reverses at the bottom, and again at the start.
+        const SpindleTurning turning = state.spindle;
+        if (turning != SpindleTurning::Stopped) {
+            state.spindle = turning == SpindleTurning::Clockwise ? SpindleTurning::Counterclockwise
+                                                                 : SpindleTurning::Clockwise;
+        }
+        context.path.linear_move(state, start, MoveKind::Feed, mask);
+        state.spindle = turning;
+    }
     state.feed = feed;
     state.feed_mode = mode;
     return true;
