@@ -7,7 +7,6 @@
 #include "ncsim/brep/measure.h"
 
 #include "brep/solids.h"
-#include "geometry/arc_ends.h"
 #include "heal/vertex_distance.h"
 
 #include <gtest/gtest.h>
@@ -271,19 +270,6 @@ TEST(Check, LetsSmallArcsRunOutTogether) {
             EXPECT_EQ(faults_beside_plunge(0.0, path, tool), "") << tool << " on " << path;
         }
     }
-}
-
-TEST(Check, LetsArcsThatEndInTheirCornerTouchThere) {
-    for (const double miss : {-1e-7, -1e-8, -1e-9, 1e-9, 1e-8, 1e-7}) {
-        const Circle plunge{{7.2 + miss, 0, 0}, kUp, 3.0};
-        const Vec3 corner{10.2, 0, 0}, other{4.2, 0, 0};
-        const auto ending = circle_through(plunge, corner, other);
-        ASSERT_TRUE(ending.has_value());
-        EXPECT_NEAR(norm(corner - ending->centre), ending->radius, 1e-14);
-        EXPECT_NEAR(norm(other - ending->centre), ending->radius, 1e-14);
-        EXPECT_LT(angle_between(plunge, *ending, corner), 1e-15);
-    }
-    EXPECT_FALSE(circle_through({{7.2001, 0, 0}, kUp, 3.0}, {10.2, 0, 0}, {4.2, 0, 0}));
 }
 
 // Edges of facets lie off the adjacent cone. If two such edges meet near the apex, it is

@@ -68,13 +68,8 @@ TEST(Repairs, LeaveSoundSolidsAsTheyAre) {
              split_faces_at_tangent_holes(p);
              return false;
          }},
-        {"base circles",
-         [](Part& p) {
+        {"base circles", [](Part& p) {
              split_cones_at_base_circle(p);
-             return false;
-         }},
-        {"ellipses", [](Part& p) {
-             shrink_touching_ellipses(p);
              return false;
          }}};
     for (const test::NamedPart& solid : test::solids()) {

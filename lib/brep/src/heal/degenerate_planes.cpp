@@ -3,6 +3,7 @@
 
 #include "geometry/tolerances.h"
 #include "heal/non_simple_faces.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +18,11 @@ std::vector<std::uint32_t> planes_of_no_size(const Part& part) {
     std::vector<std::uint32_t> found;
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         const Face& face = part.faces[f];
-        const bool are_short = std::ranges::all_of(face.loops, [&](const Loop& loop) {
-            return std::ranges::all_of(loop, [&](const EdgeUse& use) {
-                const Edge& edge = part.edges[use.edge];
-                return std::holds_alternative<Line>(edge.curve) &&
-                       norm(part.vertices[edge.to] - part.vertices[edge.from]) < 30.0 * kPointError;
-            });
+        const bool are_short = std::ranges::all_of(uses_of(face), [&](const EdgeUse& use) {
+            const Edge& edge = part.edges[use.edge];
+            return is_straight(edge) && length_of_chord(part, edge) < 30.0 * kPointError;
         });
-        if (are_short && std::holds_alternative<Plane>(face.surface.form)) found.push_back(f);
+        if (are_short && is_plane(face)) found.push_back(f);
     }
     return found;
 }
@@ -33,14 +31,12 @@ std::vector<std::uint32_t> planes_of_no_size(const Part& part) {
 std::vector<double> width_of_corners(const Part& part) {
     std::vector<double> width(part.vertices.size(), 0.0);
     for (const Face& face : part.faces) {
-        if (!std::holds_alternative<Plane>(face.surface.form)) continue;
-        for (const Loop& loop : face.loops) {
-            for (const EdgeUse& use : loop) {
-                const Edge& edge = part.edges[use.edge];
-                for (const std::uint32_t v : {edge.from, edge.to})
-                    width[v] =
-                        std::max(width[v], std::abs(distance(face.surface.form, part.vertices[v])));
-            }
+        if (!is_plane(face)) continue;
+        for (const EdgeUse& use : uses_of(face)) {
+            const Edge& edge = part.edges[use.edge];
+            for (const std::uint32_t v : {edge.from, edge.to})
+                width[v] =
+                    std::max(width[v], std::abs(distance(face.surface.form, part.vertices[v])));
         }
     }
     return width;
@@ -87,8 +83,7 @@ std::vector<std::uint32_t> degenerate_planes(const Part& part) {
     std::vector<std::uint32_t> found = crossed_planes(part);
     for (const auto& more : {planes_of_no_size(part), planes_of_no_width(part)})
         found.insert(found.end(), more.begin(), more.end());
-    std::ranges::sort(found);
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sort_unique(found);
     return found;
 }
 

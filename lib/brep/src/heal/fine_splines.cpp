@@ -2,9 +2,9 @@
 #include "heal/fine_splines.h"
 
 #include "geometry/newton.h"
-#include "geometry/no_index.h"
 #include "geometry/tolerances.h"
 #include "query/part_check.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -140,22 +140,10 @@ private:
     std::array<ProjectionSeed, 3> seeds_;  // For both forms and the plane across.
 };
 
-// The two faces of each edge; equal if one face uses it twice.
-std::vector<std::array<std::uint32_t, 2>> both_faces_of_edges(const Part& part) {
-    std::vector<std::array<std::uint32_t, 2>> faces(part.edges.size(), {kNone, kNone});
-    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-        for (const Loop& loop : part.faces[f].loops) {
-            for (const EdgeUse& use : loop)
-                faces[use.edge][use.is_forward ? 0 : 1] = f;
-        }
-    }
-    return faces;
-}
-
 }  // namespace
 
 void refine_splines(Part& part) {
-    const auto faces = both_faces_of_edges(part);
+    const auto faces = sides_of_edges(part);
     std::vector<std::optional<Curve>> before(part.edges.size());
     std::set<std::uint32_t> changed;  // faces
     for (std::uint32_t e = 0; e < part.edges.size(); ++e) {
@@ -176,14 +164,12 @@ void refine_splines(Part& part) {
         changed.erase(changed.begin());
         double miss = 0.0;
         if (faults_of(part, f, kTangencyGapMm, miss).empty()) continue;
-        for (const Loop& loop : part.faces[f].loops) {
-            for (const EdgeUse& use : loop) {
-                if (!before[use.edge]) continue;
-                part.edges[use.edge].curve = std::move(*before[use.edge]);
-                before[use.edge].reset();
-                const auto [a, b] = faces[use.edge];
-                changed.insert(a == f ? b : a);
-            }
+        for (const EdgeUse& use : uses_of(part.faces[f])) {
+            if (!before[use.edge]) continue;
+            part.edges[use.edge].curve = std::move(*before[use.edge]);
+            before[use.edge].reset();
+            const auto [a, b] = faces[use.edge];
+            changed.insert(a == f ? b : a);
         }
     }
 }

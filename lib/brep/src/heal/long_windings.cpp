@@ -7,6 +7,7 @@
 #include "geometry/tolerances.h"
 #include "query/part_check.h"
 #include "topology/edge_splitter.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +72,7 @@ Course course_of(const Part& part, const Loop& loop, const Winding& winding) {
     std::optional<double> last;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const Edge& edge = part.edges[loop[i].edge];
-        const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+        const Track track = track_of(part, edge);
         const std::size_t count = 4 * track.pieces();
         const auto share = [&](std::size_t k) {
             const double s = static_cast<double>(k) / static_cast<double>(count);
@@ -93,7 +94,7 @@ Course course_of(const Part& part, const Loop& loop, const Winding& winding) {
 // Returns the share of the track at which a step reaches `degrees`.
 double share_at(const Part& part, const Edge& edge, const Course::Step& step,
                 const Winding& winding, double degrees) {
-    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    const Track track = track_of(part, edge);
     double from = step.from, to = step.to;
     for (int i = 0; i < kMostSteps; ++i) {
         const double middle = 0.5 * (from + to);
@@ -121,19 +122,12 @@ bool divide(Part& part, std::uint32_t f, const Winding& winding, const Course& c
     if (crossings != 2) return false;
     splitter.finish();
     Loop loop = part.faces[f].loops.front();
-    const auto starts_new = [&](const EdgeUse& use) {
-        const Edge& edge = part.edges[use.edge];
-        return (use.is_forward ? edge.from : edge.to) >= first_new;
-    };
+    const auto starts_new = [&](const EdgeUse& use) { return begin_of(part, use) >= first_new; };
     const auto first = std::ranges::find_if(loop, starts_new);
     std::rotate(loop.begin(), first, loop.end());
     const auto second = std::find_if(loop.begin() + 1, loop.end(), starts_new);
     if (second == loop.end()) return false;
-    const auto start_of = [&](const EdgeUse& use) {
-        const Edge& edge = part.edges[use.edge];
-        return use.is_forward ? edge.from : edge.to;
-    };
-    const std::uint32_t a = start_of(loop.front()), b = start_of(*second);
+    const std::uint32_t a = begin_of(part, loop.front()), b = begin_of(part, *second);
     const auto bridge = static_cast<std::uint32_t>(part.edges.size());
     part.edges.push_back({a, b, winding.across(degrees, part.vertices[a], part.vertices[b])});
     Face other = part.faces[f];
@@ -144,7 +138,7 @@ bool divide(Part& part, std::uint32_t f, const Winding& winding, const Course& c
     other.loops = {std::move(back)};
     part.faces[f].frame = frame_for(part, part.faces[f]);
     other.frame = frame_for(part, other);
-    part.faces.push_back(std::move(other));
+    append_face(part, f, std::move(other));
     return true;
 }
 
@@ -255,20 +249,10 @@ bool cut_at_meridian(Part& part, std::uint32_t f, const Winding& winding, double
         if (i == 0) {
             part.faces[f] = std::move(piece);
         } else {
-            part.faces.push_back(std::move(piece));
+            append_face(part, f, std::move(piece));
         }
     }
     return true;
-}
-
-void add_to_shell(Part& part, std::uint32_t beside, std::uint32_t face) {
-    const auto add = [&](Shell& shell) {
-        if (std::ranges::find(shell, beside) != shell.end()) shell.push_back(face);
-    };
-    for (Solid& solid : part.solids) {
-        add(solid.outside);
-        std::ranges::for_each(solid.voids, add);
-    }
 }
 
 bool is_sound(const Part& part, std::uint32_t face) {
@@ -293,10 +277,8 @@ bool split_wall(Part& part, std::uint32_t face, const Winding& winding, double a
             const auto first = static_cast<std::uint32_t>(part.faces.size());
             if (is_half(part, f, winding)) continue;
             if (!cut_at_meridian(part, f, winding, degrees)) return false;
-            for (auto made = first; made < part.faces.size(); ++made) {
-                add_to_shell(part, f, made);
+            for (auto made = first; made < part.faces.size(); ++made)
                 pieces.push_back(made);
-            }
         }
     }
     return std::ranges::all_of(pieces, [&](std::uint32_t f) { return is_sound(part, f); });
@@ -318,7 +300,6 @@ bool split_strip(Part& part, std::uint32_t face, const Winding& winding, double 
         const double middle = 0.5 * (course.low + course.high) + aside;
         const auto other = static_cast<std::uint32_t>(part.faces.size());
         if (!divide(part, f, winding, course, middle)) return false;
-        add_to_shell(part, f, other);
         open.push_back(f);
         open.push_back(other);
     }

@@ -8,6 +8,7 @@
 #include "geometry/tolerances.h"
 #include "query/part_check.h"
 #include "topology/angular_extent.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -20,36 +21,17 @@ namespace ncsim::brep {
 
 namespace {
 
-using Numbers = std::vector<std::uint32_t>;
-
-bool is_plane(const Face& face) {
-    return std::holds_alternative<Plane>(face.surface.form);
-}
-
-std::uint32_t begin_of(const Part& part, const EdgeUse& use) {
-    const Edge& edge = part.edges[use.edge];
-    return use.is_forward ? edge.from : edge.to;
-}
-
-std::uint32_t end_of(const Part& part, const EdgeUse& use) {
-    return begin_of(part, {use.edge, !use.is_forward});
-}
-
 class TouchingCorners {
 public:
     TouchingCorners(Part& part, double near_mm)
         : part_(part),
           near_(near_mm),
           is_flat_edge_(part.edges.size(), true),
-          is_flat_(part.vertices.size(), true) {
+          is_flat_(flat_vertices(part)) {
         for (const Face& face : part.faces) {
-            for (const Loop& loop : face.loops) {
-                for (const EdgeUse& use : loop) {
-                    const Edge& edge = part.edges[use.edge];
-                    if (is_plane(face) && std::holds_alternative<Line>(edge.curve)) continue;
+            for (const EdgeUse& use : uses_of(face)) {
+                if (!is_plane(face) || !is_straight(part.edges[use.edge]))
                     is_flat_edge_[use.edge] = false;
-                    is_flat_[edge.from] = is_flat_[edge.to] = false;
-                }
             }
         }
     }
@@ -74,11 +56,7 @@ private:
     // Pairs of its corners, and corners and edges; those that come near along the axis along which
     // it is longest.
     void find_touches(const Face& face) {
-        Numbers corners;
-        for (const Loop& loop : face.loops) {
-            for (const EdgeUse& use : loop)
-                corners.push_back(begin_of(part_, use));
-        }
+        Numbers corners = corners_of(part_, face);
         Vec3 low = part_.vertices[corners.front()], high = low;
         for (const std::uint32_t v : corners) {
             const Vec3 p = part_.vertices[v];
@@ -98,15 +76,13 @@ private:
                 join_corners(face, corners[i], corners[j]);
             }
         }
-        for (const Loop& loop : face.loops) {
-            for (const EdgeUse& use : loop) {
-                if (!is_flat_edge_[use.edge]) continue;
-                const Edge& edge = part_.edges[use.edge];
-                const auto [from, to] = std::minmax({place(edge.from), place(edge.to)});
-                const auto first = std::ranges::lower_bound(corners, from - near_, {}, place);
-                for (auto v = first; v != corners.end() && place(*v) <= to + near_; ++v)
-                    join_to_edge(*v, use.edge);
-            }
+        for (const EdgeUse& use : uses_of(face)) {
+            if (!is_flat_edge_[use.edge]) continue;
+            const Edge& edge = part_.edges[use.edge];
+            const auto [from, to] = std::minmax({place(edge.from), place(edge.to)});
+            const auto first = std::ranges::lower_bound(corners, from - near_, {}, place);
+            for (auto v = first; v != corners.end() && place(*v) <= to + near_; ++v)
+                join_to_edge(*v, use.edge);
         }
     }
 
@@ -117,12 +93,10 @@ private:
         b = current(b);
         if (a == b) return;
         if (!is_flat_[b]) std::swap(a, b);
-        const bool is_edge = std::ranges::any_of(face.loops, [&](const Loop& loop) {
-            return std::ranges::any_of(loop, [&](const EdgeUse& use) {
-                const std::uint32_t from = current(part_.edges[use.edge].from);
-                const std::uint32_t to = current(part_.edges[use.edge].to);
-                return (from == a && to == b) || (from == b && to == a);
-            });
+        const bool is_edge = std::ranges::any_of(uses_of(face), [&](const EdgeUse& use) {
+            const std::uint32_t from = current(part_.edges[use.edge].from);
+            const std::uint32_t to = current(part_.edges[use.edge].to);
+            return (from == a && to == b) || (from == b && to == a);
         });
         if (is_flat_[b] && !is_edge) merged_into_[b] = a;
     }
@@ -282,14 +256,6 @@ bool has_other_outline(const Part& part, const Face& face) {
     return false;
 }
 
-bool is_straight(const Part& part, const Face& face) {
-    return std::ranges::all_of(face.loops, [&](const Loop& loop) {
-        return std::ranges::all_of(loop, [&](const EdgeUse& use) {
-            return std::holds_alternative<Line>(part.edges[use.edge].curve);
-        });
-    });
-}
-
 // Does its only loop turn to the left in each corner, once round, as far as readers can tell?
 bool is_convex(const Part& part, const Face& face) {
     if (face.loops.size() != 1 || face.loops.front().size() < 3) return false;
@@ -316,7 +282,7 @@ bool is_convex(const Part& part, const Face& face) {
 
 bool encloses(const Part& part, const Face& face, const Loop& outline, const Loop& loop) {
     const Edge& edge = part.edges[loop.front().edge];
-    const Vec3 p = Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]).at(0.5);
+    const Vec3 p = track_of(part, edge).at(0.5);
     const Vec3 x = face.frame.x, y = cross(face.frame.axis, x);
     const auto points = points_along(part, copy_with_loop(face, outline)).front();
     bool is_inside = false;
@@ -327,20 +293,6 @@ bool encloses(const Part& part, const Face& face, const Loop& outline, const Loo
             is_inside = !is_inside;
     }
     return is_inside;
-}
-
-std::uint32_t append_face(Part& part, std::uint32_t f, Face face) {
-    const auto number = static_cast<std::uint32_t>(part.faces.size());
-    part.faces.push_back(std::move(face));
-    const auto add_to = [&](Shell& shell) {
-        if (std::ranges::find(shell, f) != shell.end()) shell.push_back(number);
-    };
-    for (Solid& solid : part.solids) {
-        add_to(solid.outside);
-        for (Shell& shell : solid.voids)
-            add_to(shell);
-    }
-    return number;
 }
 
 std::vector<std::uint32_t> crossed_planes(const Part& part) {

@@ -24,9 +24,6 @@ std::vector<std::uint32_t> split_non_simple_faces(Part& part);
 /// Does the outline of a plane go round the loop, which does not cross it?
 bool encloses(const Part& part, const Face& face, const Loop& outline, const Loop& loop);
 
-/// Adds a face at the end, and to the shell that has the face `f`; its number.
-std::uint32_t append_face(Part& part, std::uint32_t f, Face face);
-
 /// Planes with straight edges alone in which readers find a fault: their loops cross, or touch
 /// within 2e-7 mm, or go round the wrong way. O(n log n) likewise, and little where faces are
 /// convex.

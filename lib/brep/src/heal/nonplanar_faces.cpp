@@ -10,6 +10,7 @@
 #include "geometry/tolerances.h"
 #include "heal/non_simple_faces.h"
 #include "sources/label.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -25,37 +26,22 @@ namespace ncsim::brep {
 
 namespace {
 
-std::uint32_t corner_before(const Part& part, const EdgeUse& use) {
-    const Edge& edge = part.edges[use.edge];
-    return use.is_forward ? edge.from : edge.to;
-}
-
 std::vector<std::vector<std::uint32_t>> corners_around(const Part& part, const Face& face) {
     std::vector<std::vector<std::uint32_t>> loops;
     for (const Loop& loop : face.loops) {
         auto& corners = loops.emplace_back();
         for (const EdgeUse& use : loop)
-            corners.push_back(corner_before(part, use));
+            corners.push_back(begin_of(part, use));
     }
     return loops;
-}
-
-bool has_straight_edges(const Part& part, const Face& face) {
-    return std::ranges::all_of(face.loops, [&](const Loop& loop) {
-        return std::ranges::all_of(loop, [&](const EdgeUse& use) {
-            return std::holds_alternative<Line>(part.edges[use.edge].curve);
-        });
-    });
 }
 
 // How far corners of it are off the plane, at most.
 double distance_from_plane(const Part& part, const Face& face, const Plane& plane) {
     double deviation = 0.0;
-    for (const Loop& loop : face.loops) {
-        for (const EdgeUse& use : loop) {
-            const Vec3 p = part.vertices[corner_before(part, use)];
-            deviation = std::max(deviation, std::abs(dot(plane.normal, p - plane.origin)));
-        }
+    for (const EdgeUse& use : uses_of(face)) {
+        const Vec3 p = part.vertices[begin_of(part, use)];
+        deviation = std::max(deviation, std::abs(dot(plane.normal, p - plane.origin)));
     }
     return deviation;
 }
@@ -64,7 +50,7 @@ double distance_from_plane(const Part& part, const Face& face, const Plane& plan
 std::optional<Plane> mean_plane(const Part& part, const Face& face) {
     Vec3 sum, area;
     double count = 0.0;
-    const Vec3 apex = part.vertices[corner_before(part, face.loops.front().front())];
+    const Vec3 apex = part.vertices[begin_of(part, face.loops.front().front())];
     for (const auto& corners : corners_around(part, face)) {
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Vec3 a = part.vertices[corners[i]] - apex;
@@ -114,13 +100,10 @@ private:
 
     // False: it has one of them on both sides, or two between the same corners.
     bool gather_edges() {
-        for (const Loop& loop : face_.loops) {
-            for (const EdgeUse& use : loop) {
-                const std::uint32_t from = corner_before(part_, use);
-                const std::uint32_t to = corner_before(part_, {use.edge, !use.is_forward});
-                if (uses_.contains({to, from}) || !uses_.insert({{from, to}, use}).second)
-                    return false;
-            }
+        for (const EdgeUse& use : uses_of(face_)) {
+            const std::uint32_t from = begin_of(part_, use);
+            const std::uint32_t to = end_of(part_, use);
+            if (uses_.contains({to, from}) || !uses_.insert({{from, to}, use}).second) return false;
         }
         return true;
     }
@@ -258,8 +241,7 @@ private:
 
 bool is_nonplanar(const Part& part, const Face& face) {
     const auto* plane = std::get_if<Plane>(&face.surface.form);
-    return plane && has_straight_edges(part, face) &&
-           distance_from_plane(part, face, *plane) > kFlat;
+    return plane && is_straight(part, face) && distance_from_plane(part, face, *plane) > kFlat;
 }
 
 std::vector<std::uint32_t> triangulate_nonplanar_faces(Part& part) {

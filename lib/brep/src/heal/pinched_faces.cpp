@@ -9,28 +9,23 @@
 #include "geometry/tolerances.h"
 #include "heal/non_simple_faces.h"
 #include "query/part_check.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace ncsim::brep {
 
 namespace {
 
-std::uint32_t corner_of(const Part& part, const EdgeUse& use) {
-    const Edge& edge = part.edges[use.edge];
-    return use.is_forward ? edge.from : edge.to;
-}
-
 // Returns the places in the loop at which it is in a corner to which it returns.
 std::vector<std::size_t> returns_of(const Part& part, const Loop& loop) {
     std::map<std::uint32_t, std::vector<std::size_t>> places;
     for (std::size_t i = 0; i < loop.size(); ++i)
-        places[corner_of(part, loop[i])].push_back(i);
+        places[begin_of(part, loop[i])].push_back(i);
     std::vector<std::size_t> returns;
     for (const auto& [corner, at] : places) {
         if (at.size() > 1) returns.insert(returns.end(), at.begin(), at.end());
@@ -46,9 +41,9 @@ std::vector<Loop> simple_loops(const Part& part, const Loop& loop, std::size_t s
     Loop open;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const EdgeUse& use = loop[(start + i) % loop.size()];
-        const std::uint32_t corner = corner_of(part, use);
+        const std::uint32_t corner = begin_of(part, use);
         const auto before = std::ranges::find_if(
-            open, [&](const EdgeUse& other) { return corner_of(part, other) == corner; });
+            open, [&](const EdgeUse& other) { return begin_of(part, other) == corner; });
         if (before != open.end()) {
             simple.emplace_back(before, open.end());
             open.erase(before, open.end());
@@ -81,7 +76,7 @@ void split_pinched_faces(Part& part) {
     for (std::uint32_t f = 0, count = static_cast<std::uint32_t>(part.faces.size()); f < count;
          ++f) {
         const Face face = part.faces[f];
-        if (std::holds_alternative<Plane>(face.surface.form) || face.loops.size() != 1) continue;
+        if (is_plane(face) || face.loops.size() != 1) continue;
         const std::vector<std::size_t> returns = returns_of(part, face.loops.front());
         if (returns.empty()) continue;
         for (const std::size_t start : returns) {

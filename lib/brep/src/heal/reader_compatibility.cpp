@@ -3,16 +3,13 @@
 
 #include "geometry/tolerances.h"
 #include "topology/edge_splitter.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <set>
 #include <variant>
-#include <vector>
 
 namespace ncsim::brep {
 
@@ -37,7 +34,7 @@ bool is_too_wide(const Envelope& envelope, const Part& part, const Edge& edge) {
         const ClosestPoint closest = project_onto(envelope, p);
         return normalized(velocity_at(closest.tool, height_of_centre(*envelope.sweep, closest)));
     };
-    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    const Track track = track_of(part, edge);
     const Vec3 first = ahead(part.vertices[edge.from]);
     return dot(first, ahead(track.at(0.5))) < 0.5 ||
            dot(first, ahead(part.vertices[edge.to])) < 0.5;
@@ -48,7 +45,7 @@ bool is_too_wide(const Envelope& envelope, const Part& part, const Edge& edge) {
 bool passes_by_pole(const Sphere& sphere, const Frame& frame, const Part& part, const Edge& edge) {
     const auto* circle = std::get_if<Circle>(&edge.curve);
     if (circle && norm(cross(circle->axis, frame.axis)) < kRounding) return false;
-    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    const Track track = track_of(part, edge);
     double nearest = 1.0, least = 1.0;  // of the radius; cosine of the angle around
     std::optional<Vec3> first;
     for (const double t : {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0}) {
@@ -81,71 +78,14 @@ bool split_once(Part& part) {
                        is_too_wide(*extrusion, part, edge);
             return passes_by_pole(*sphere, face.frame, part, edge);
         };
-        for (const Loop& loop : face.loops) {
-            for (const EdgeUse& use : loop)
-                any = (is_wide(part.edges[use.edge]) && halving.halve(use.edge)) || any;
-        }
+        for (const EdgeUse& use : uses_of(face))
+            any = (is_wide(part.edges[use.edge]) && halving.halve(use.edge)) || any;
     }
     halving.finish();
     return any;
 }
 
-// Where an edge leaves a corner of a plane, or arrives there.
-struct End {
-    std::size_t loop = 0;
-    std::uint32_t edge = 0;
-    Vec3 tangent;  // unit, either way
-};
-
-// Those of the lines and ellipses around a plane, of each corner.
-std::map<std::uint32_t, std::vector<End>> ends_at_corners(const Part& part, const Face& face) {
-    std::map<std::uint32_t, std::vector<End>> ends;
-    for (std::size_t l = 0; l < face.loops.size(); ++l) {
-        for (const EdgeUse& use : face.loops[l]) {
-            const Edge& edge = part.edges[use.edge];
-            if (!std::holds_alternative<Line>(edge.curve) &&
-                !std::holds_alternative<Ellipse>(edge.curve))
-                continue;
-            const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
-            const auto add = [&](std::uint32_t v, double t) {
-                ends[v].push_back({l, use.edge, normalized(track.derivative(t))});
-            };
-            add(edge.from, 0.0);
-            add(edge.to, 1.0);
-        }
-    }
-    return ends;
-}
-
-// The ellipses of a plane that touch a straight edge of another loop of it in a corner of both.
-void find_touching_ellipses(const Part& part, const Face& face, std::set<std::uint32_t>& found) {
-    for (const auto& [v, ends] : ends_at_corners(part, face)) {
-        for (const End& round : ends) {
-            if (!std::holds_alternative<Ellipse>(part.edges[round.edge].curve)) continue;
-            const bool touches = std::ranges::any_of(ends, [&](const End& straight) {
-                return straight.loop != round.loop &&
-                       std::holds_alternative<Line>(part.edges[straight.edge].curve) &&
-                       norm(cross(straight.tangent, round.tangent)) < 0.1 * kParallelAngle;
-            });
-            if (touches) found.insert(round.edge);
-        }
-    }
-}
-
 }  // namespace
-
-void shrink_touching_ellipses(Part& part) {
-    std::set<std::uint32_t> touching;
-    for (const Face& face : part.faces) {
-        if (std::holds_alternative<Plane>(face.surface.form) && face.loops.size() > 1)
-            find_touching_ellipses(part, face, touching);
-    }
-    for (const std::uint32_t e : touching) {
-        auto& ellipse = std::get<Ellipse>(part.edges[e].curve);
-        ellipse.major_radius -= kRounding;
-        ellipse.minor_radius -= kRounding;
-    }
-}
 
 void split_wide_edges(Part& part) {
     while (split_once(part)) {
@@ -160,7 +100,7 @@ void split_edges_of_lenses(Part& part) {
         if (one == other || part.edges[one].from == part.edges[one].to) continue;
         const auto middle = [&](std::uint32_t e) {
             const Edge& edge = part.edges[e];
-            return Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]).at(0.5);
+            return track_of(part, edge).at(0.5);
         };
         if (norm(middle(one) - middle(other)) > 100.0 * kLeastSizeMm) continue;
         halving.divide(one, 0.5);

@@ -14,12 +14,6 @@ namespace ncsim::brep {
 /// than a quarter around it.
 void split_wide_edges(Part& part);
 
-/// Ellipses of planes that end in a corner of another loop on a straight edge along them become
-/// smaller by 1e-9 mm. Where a line and an ellipse touch, readers find two places in which they
-/// cross, by rounding, and divide both edges there; of pieces that lie on each other they draw
-/// nothing.
-void shrink_touching_ellipses(Part& part);
-
 /// Divides the edges of faces between two edges that are at most 0.1 mm apart in the middle.
 /// Readers draw chords; if both edges become one chord, readers draw nothing of the face.
 void split_edges_of_lenses(Part& part);

@@ -4,32 +4,17 @@
 #include "ncsim/base/disjoint_sets.h"
 #include "ncsim/brep/frames.h"
 
+#include "topology/face_edges.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace ncsim::brep {
 
 namespace {
-
-// Corners where planes alone meet, in lines.
-std::vector<bool> flat_corners(const Part& part) {
-    std::vector<bool> is_flat(part.vertices.size(), true);
-    for (const Face& face : part.faces) {
-        const bool is_plane = std::holds_alternative<Plane>(face.surface.form);
-        for (const Loop& loop : face.loops) {
-            for (const EdgeUse& use : loop) {
-                const Edge& edge = part.edges[use.edge];
-                if (!is_plane || !std::holds_alternative<Line>(edge.curve))
-                    is_flat[edge.from] = is_flat[edge.to] = false;
-            }
-        }
-    }
-    return is_flat;
-}
 
 // Of a plane: without edges that are points, and without loops of which nothing is left but one.
 void drop_edges_of_no_length(Part& part, Face& face) {
@@ -38,8 +23,7 @@ void drop_edges_of_no_length(Part& part, Face& face) {
         any = std::erase_if(loop,
                             [&](const EdgeUse& use) {
                                 const Edge& edge = part.edges[use.edge];
-                                return edge.from == edge.to &&
-                                       std::holds_alternative<Line>(edge.curve);
+                                return edge.from == edge.to && is_straight(edge);
                             }) > 0 ||
               any;
     }
@@ -55,16 +39,14 @@ void drop_edges_of_no_length(Part& part, Face& face) {
 }  // namespace
 
 bool collapse_short_edges(Part& part, const std::vector<std::uint32_t>& faces, double least_mm) {
-    const std::vector<bool> is_flat = flat_corners(part);
+    const std::vector<bool> is_flat = flat_vertices(part);
     std::vector<std::pair<double, std::uint32_t>> low;
     for (const std::uint32_t f : faces) {
-        for (const Loop& loop : part.faces[f].loops) {
-            for (const EdgeUse& use : loop) {
-                const Edge& edge = part.edges[use.edge];
-                const double length = norm(part.vertices[edge.to] - part.vertices[edge.from]);
-                if (length < least_mm && is_flat[edge.from] && is_flat[edge.to])
-                    low.emplace_back(length, use.edge);
-            }
+        for (const EdgeUse& use : uses_of(part.faces[f])) {
+            const Edge& edge = part.edges[use.edge];
+            const double length = norm(part.vertices[edge.to] - part.vertices[edge.from]);
+            if (length < least_mm && is_flat[edge.from] && is_flat[edge.to])
+                low.emplace_back(length, use.edge);
         }
     }
     if (low.empty()) return false;
@@ -93,7 +75,7 @@ bool collapse_short_edges(Part& part, const std::vector<std::uint32_t>& faces, d
         edge.to = same.find(edge.to);
     }
     for (Face& face : part.faces) {
-        if (std::holds_alternative<Plane>(face.surface.form)) drop_edges_of_no_length(part, face);
+        if (is_plane(face)) drop_edges_of_no_length(part, face);
     }
     return true;
 }

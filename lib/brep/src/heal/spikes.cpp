@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "heal/spikes.h"
 
+#include "topology/face_edges.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <tuple>
-#include <utility>
-#include <variant>
 #include <vector>
 
 namespace ncsim::brep {
 
 namespace {
-
-using Numbers = std::vector<std::uint32_t>;
 
 class Spikes {
 public:
@@ -28,10 +26,8 @@ public:
         if (waiting_.empty()) return false;
         faces_of_.resize(part_.edges.size());
         for (std::uint32_t f = 0; f < part_.faces.size(); ++f) {
-            for (const Loop& loop : part_.faces[f].loops) {
-                for (const EdgeUse& use : loop)
-                    faces_of_[use.edge].push_back(f);
-            }
+            for (const EdgeUse& use : uses_of(part_.faces[f]))
+                faces_of_[use.edge].push_back(f);
         }
         bool any = false;
         while (!waiting_.empty()) {
@@ -60,7 +56,10 @@ private:
         const auto pair = pair_of(part_.faces[f]);
         if (!pair) return false;
         const EdgeUse forth = use_of(f, pair->forth), back = use_of(f, pair->back);
-        erase_pair(part_.faces[f].loops, *pair);
+        std::vector<Loop>& loops = part_.faces[f].loops;
+        erase_uses(loops, {pair->forth.loop, pair->forth.at}, {pair->back.loop, pair->back.at});
+        std::erase_if(loops, [](const Loop& loop) { return loop.empty(); });
+        if (loops.empty()) loops.emplace_back();
         for (const EdgeUse& use : {forth, back}) {
             Numbers& of = faces_of_[use.edge];
             of.erase(std::ranges::find(of, f));
@@ -73,67 +72,30 @@ private:
         return part_.faces[f].loops[use.loop][use.at];
     }
 
-    // In planes wherever they are; else one after the other.
+    // In planes alone, wherever they are.
     std::optional<Pair> pair_of(const Face& face) {
-        const bool is_plane = std::holds_alternative<Plane>(face.surface.form);
+        if (!is_plane(face)) return std::nullopt;
         std::vector<StraightUse>& uses = straight_uses_;
         uses.clear();
         for (std::size_t l = 0; l < face.loops.size(); ++l) {
             for (std::size_t i = 0; i < face.loops[l].size(); ++i) {
                 const EdgeUse& use = face.loops[l][i];
                 const Edge& edge = part_.edges[use.edge];
-                if (!std::holds_alternative<Line>(edge.curve) || edge.from == edge.to) continue;
+                if (!is_straight(edge) || edge.from == edge.to) continue;
                 const auto [low, high] = std::minmax(edge.from, edge.to);
                 uses.push_back({low, high, use.is_forward == (edge.from == low), use.edge, l, i});
             }
         }
         // Those of one edge are beside each other.
         std::ranges::sort(uses, {}, &StraightUse::key);
-        const auto may_go = [&](const StraightUse& a, const StraightUse& b) {
-            return a.is_ascending != b.is_ascending && (is_plane || are_neighbours(face, a, b));
-        };
         for (std::size_t i = 0; i < uses.size(); ++i) {
             for (std::size_t j = i + 1;
                  j < uses.size() && uses[j].low == uses[i].low && uses[j].high == uses[i].high;
                  ++j) {
-                if (may_go(uses[i], uses[j])) return Pair{uses[i], uses[j]};
+                if (uses[i].is_ascending != uses[j].is_ascending) return Pair{uses[i], uses[j]};
             }
         }
         return std::nullopt;
-    }
-
-    static bool are_neighbours(const Face& face, const StraightUse& a, const StraightUse& b) {
-        if (a.loop != b.loop) return false;
-        const std::size_t size = face.loops[a.loop].size();
-        return (a.at + 1) % size == b.at || (b.at + 1) % size == a.at;
-    }
-
-    // Of two loops that have one of them each becomes one, of one that has both two.
-    static void erase_pair(std::vector<Loop>& loops, const Pair& pair) {
-        auto [first, second] =
-            std::minmax(pair.forth, pair.back, [](const StraightUse& a, const StraightUse& b) {
-                return std::pair(a.loop, a.at) < std::pair(b.loop, b.at);
-            });
-        const auto place = [](Loop& loop, std::size_t i) {
-            return loop.begin() + static_cast<std::ptrdiff_t>(i);
-        };
-        Loop& one = loops[first.loop];
-        std::rotate(one.begin(), place(one, first.at), one.end());
-        if (first.loop != second.loop) {
-            Loop& other = loops[second.loop];
-            std::rotate(other.begin(), place(other, second.at), other.end());
-            one.insert(one.end(), other.begin() + 1, other.end());
-            one.erase(one.begin());
-            other.clear();
-        } else {
-            const auto at = place(one, second.at - first.at);
-            Loop rest(at + 1, one.end());
-            one.erase(at, one.end());
-            one.erase(one.begin());
-            loops.push_back(std::move(rest));
-        }
-        std::erase_if(loops, [](const Loop& loop) { return loop.empty(); });
-        if (loops.empty()) loops.emplace_back();
     }
 
     // Replaces every use of the edge of `back` by `forth`. The edge is used in the direction

@@ -9,6 +9,7 @@
 #include "heal/non_simple_faces.h"
 #include "topology/angular_extent.h"
 #include "topology/edge_splitter.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -25,15 +26,6 @@ namespace ncsim::brep {
 
 namespace {
 
-std::uint32_t start_of(const Part& part, const EdgeUse& use) {
-    const Edge& edge = part.edges[use.edge];
-    return use.is_forward ? edge.from : edge.to;
-}
-
-EdgeUse reversed_use(const EdgeUse& use) {
-    return {use.edge, !use.is_forward};
-}
-
 // An edge as it leaves a corner: its direction, unit, and by how much that turns in 15 degrees.
 struct StartTangent {
     Vec3 direction, bend;
@@ -42,7 +34,7 @@ struct StartTangent {
 
 StartTangent start_tangent(const Part& part, const EdgeUse& use) {
     const Edge& edge = part.edges[use.edge];
-    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    const Track track = track_of(part, edge);
     const auto direction = [&](double t) {
         const Vec3 along = normalized(track.derivative(t));
         return use.is_forward ? along : -along;
@@ -83,13 +75,13 @@ struct TangentHole {
 std::optional<TangentHole> find_tangent_hole(const Part& part, const Face& face) {
     std::vector<std::pair<std::uint32_t, std::size_t>> corners;
     for (std::size_t i = 0; i < face.loops.front().size(); ++i)
-        corners.emplace_back(start_of(part, face.loops.front()[i]), i);
+        corners.emplace_back(begin_of(part, face.loops.front()[i]), i);
     std::sort(corners.begin(), corners.end());
     for (std::size_t hole = 1; hole < face.loops.size(); ++hole) {
         const Loop& loop = face.loops[hole];
         std::vector<TangentHole> common;
         for (std::size_t j = 0; j < loop.size(); ++j) {
-            const std::uint32_t v = start_of(part, loop[j]);
+            const std::uint32_t v = begin_of(part, loop[j]);
             const auto at = std::ranges::lower_bound(corners, std::pair(v, std::size_t{0}));
             if (at != corners.end() && at->first == v) common.push_back({hole, at->second, j});
         }
@@ -179,7 +171,7 @@ struct CutEnd {
 std::vector<CutEnd> cut_ends(const Part& part, const Loop& loop, bool has_middles) {
     std::vector<CutEnd> places;
     for (std::size_t i = 0; i < loop.size(); ++i) {
-        if (i > 0) places.push_back({part.vertices[start_of(part, loop[i])], i});
+        if (i > 0) places.push_back({part.vertices[begin_of(part, loop[i])], i});
         if (!has_middles) continue;
         if (const auto halves = split_edge(part, part.edges[loop[i].edge]))
             places.push_back({halves->middle, i, true});
@@ -244,7 +236,7 @@ SplitResult split_at_tangent_hole(Part& part, std::uint32_t f) {
     }
     const std::size_t i = cut->from.use, j = cut->to.use;
     const auto edge = static_cast<std::uint32_t>(part.edges.size());
-    part.edges.push_back({start_of(part, outline[i]), start_of(part, hole[j]), Line{}});
+    part.edges.push_back({begin_of(part, outline[i]), begin_of(part, hole[j]), Line{}});
     Face one = face, other = face;
     one.loops = {join_along(outline, i, {edge, true}, hole, j)};
     other.loops = {join_along(hole, j, {edge, false}, outline, i)};
@@ -277,7 +269,7 @@ struct ArcEnd {
 
 ArcEnd arc_end_of(const Part& part, const EdgeUse& use) {
     const Edge& edge = part.edges[use.edge];
-    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    const Track track = track_of(part, edge);
     const auto direction = [&](double t) {
         const Vec3 along = normalized(track.derivative(use.is_forward ? t : 1.0 - t));
         return use.is_forward ? along : -along;
@@ -295,12 +287,10 @@ std::vector<Cusp> cusps_of(const Part& part, const Face& face) {
     // and that with one of 1; readers who turn by less at a time divide these, too. Arcs that are
     // hardly longer are not divided.
     std::vector<std::pair<std::uint32_t, EdgeUse>> leaving;
-    for (const Loop& loop : face.loops) {
-        for (const EdgeUse& use : loop) {
-            if (std::holds_alternative<Line>(part.edges[use.edge].curve)) continue;
-            leaving.emplace_back(start_of(part, use), use);
-            leaving.emplace_back(start_of(part, reversed_use(use)), reversed_use(use));
-        }
+    for (const EdgeUse& use : uses_of(face)) {
+        if (is_straight(part.edges[use.edge])) continue;
+        leaving.emplace_back(begin_of(part, use), use);
+        leaving.emplace_back(end_of(part, use), reversed_use(use));
     }
     std::ranges::stable_sort(leaving, {}, [](const auto& one) { return one.first; });
     std::vector<Cusp> cusps;
@@ -345,7 +335,7 @@ std::optional<ConeCut> cone_cut_of(const Part& part, const Face& face) {
         const auto& circle = std::get<Circle>(edge.curve);
         const Vec3 start = part.vertices[edge.from] - circle.centre;
         const Vec3 side = cross(circle.axis, start);
-        const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+        const Track track = track_of(part, edge);
         const Drawing drawing(part, face);
         std::optional<ConeCut> best;
         double shortest = std::numeric_limits<double>::infinity();
@@ -375,7 +365,7 @@ void split_along(Part& part, std::uint32_t f, std::size_t l, std::uint32_t from,
     const Face face = part.faces[f];
     const Loop& loop = face.loops[l];
     const auto begins_at = [&](std::uint32_t v) {
-        return [&part, v](const EdgeUse& use) { return start_of(part, use) == v; };
+        return [&part, v](const EdgeUse& use) { return begin_of(part, use) == v; };
     };
     const auto first = std::ranges::find_if(loop, begins_at(from));
     Loop rotated(first, loop.end());

@@ -10,6 +10,7 @@
 #include "heal/short_edges.h"
 #include "heal/spikes.h"
 #include "sources/label.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -27,21 +28,10 @@ namespace {
 // Least distance of vertices that readers keep apart on all faces around them, mm.
 constexpr double kLeast = 10.0 * kPointError;
 
-using Numbers = std::vector<std::uint32_t>;
-
-void sort_unique(Numbers& numbers) {
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
-
 Numbers common(const Numbers& a, const Numbers& b) {
     Numbers shared;
     std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(shared));
     return shared;
-}
-
-double length_of(const Part& part, const Edge& edge) {
-    return norm(part.vertices[edge.to] - part.vertices[edge.from]);
 }
 
 // Makes points of edges, where that changes nothing but lengths (the link condition: Dey,
@@ -51,29 +41,18 @@ class Contraction {
 public:
     explicit Contraction(Part& part)
         : part_(part),
-          faces_at_(part.vertices.size()),
+          faces_at_(faces_at_vertices(part)),
           edges_at_(part.vertices.size()),
           radius_(part.vertices.size(), 0.0),
-          is_flat_(part.vertices.size(), true) {
-        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-            for (const Loop& loop : part.faces[f].loops) {
-                for (const EdgeUse& use : loop) {
-                    const Edge& edge = part.edges[use.edge];
-                    for (const std::uint32_t v : {edge.from, edge.to}) {
-                        const bool is_flat =
-                            std::holds_alternative<Line>(edge.curve) &&
-                            std::holds_alternative<Plane>(part.faces[f].surface.form);
-                        is_flat_[v] = is_flat_[v] && is_flat;
-                        faces_at_[v].push_back(f);
-                        edges_at_[v].push_back(use.edge);
-                    }
-                }
+          is_flat_(flat_vertices(part)) {
+        for (const Face& face : part.faces) {
+            for (const EdgeUse& use : uses_of(face)) {
+                edges_at_[part.edges[use.edge].from].push_back(use.edge);
+                edges_at_[part.edges[use.edge].to].push_back(use.edge);
             }
         }
-        for (auto* at : {&faces_at_, &edges_at_}) {
-            for (Numbers& numbers : *at)
-                sort_unique(numbers);
-        }
+        for (Numbers& edges : edges_at_)
+            sort_unique(edges);
     }
 
     // Do planes alone meet at both ends?
@@ -90,7 +69,7 @@ private:
     bool contract(std::uint32_t number, std::uint32_t kept, std::uint32_t removed) {
         const Edge short_edge = part_.edges[number];
         if (kept == removed || !is_flat(short_edge)) return false;
-        const double radius = radius_[removed] + length_of(part_, short_edge);
+        const double radius = radius_[removed] + length_of_chord(part_, short_edge);
         if (radius > 2.0 * kLeast) return false;
         const Numbers sides = common(faces_at_[kept], faces_at_[removed]);
         if (sides.size() != 2) return false;
@@ -143,14 +122,9 @@ private:
         return face.loops.size() == 1 && face.loops.front().size() == 3;
     }
 
-    std::uint32_t begin_of(const EdgeUse& use) const {
-        const Edge& edge = part_.edges[use.edge];
-        return use.is_forward ? edge.from : edge.to;
-    }
-
     std::uint32_t tip(const Face& triangle, const Edge& edge) const {
         for (const EdgeUse& use : triangle.loops.front()) {
-            const std::uint32_t v = begin_of(use);
+            const std::uint32_t v = begin_of(part_, use);
             if (v != edge.from && v != edge.to) return v;
         }
         return edge.from;
@@ -163,7 +137,7 @@ private:
         for (const Loop& loop : face.loops) {
             for (const EdgeUse& use : loop) {
                 if (use.edge == edge) has_edge = loop.size() > 3 || is_triangle(face);
-                if (begin_of(use) == vertex) ++visits;
+                if (begin_of(part_, use) == vertex) ++visits;
             }
         }
         return has_edge && visits == 1;
@@ -202,18 +176,7 @@ private:
 // less than readers can tell does not.
 class Pinholes {
 public:
-    explicit Pinholes(Part& part) : part_(part), faces_at_(part.vertices.size()) {
-        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-            for (const Loop& loop : part.faces[f].loops) {
-                for (const EdgeUse& use : loop) {
-                    faces_at_[part.edges[use.edge].from].push_back(f);
-                    faces_at_[part.edges[use.edge].to].push_back(f);
-                }
-            }
-        }
-        for (Numbers& faces : faces_at_)
-            sort_unique(faces);
-    }
+    explicit Pinholes(Part& part) : part_(part), faces_at_(faces_at_vertices(part)) {}
 
     // True: something has gone.
     bool close() {
@@ -234,8 +197,8 @@ private:
         Numbers corners, edges, faces;
         for (const EdgeUse& use : hole) {
             const Edge& edge = part_.edges[use.edge];
-            if (!std::holds_alternative<Line>(edge.curve)) return false;
-            length += length_of(part_, edge);
+            if (!is_straight(edge)) return false;
+            length += length_of_chord(part_, edge);
             edges.push_back(use.edge);
             corners.insert(corners.end(), {edge.from, edge.to});
         }
@@ -256,10 +219,8 @@ private:
                     return std::ranges::binary_search(edges, use.edge);
                 });
             }
-            for (const Loop& loop : part_.faces[f].loops) {
-                for (const EdgeUse& use : loop)
-                    gather(part_.edges[use.edge], corners);
-            }
+            for (const EdgeUse& use : uses_of(part_.faces[f]))
+                gather(part_.edges[use.edge], corners);
         }
         faces_at_[corners.front()] = faces;
         for (const std::uint32_t f : faces)
@@ -277,16 +238,14 @@ private:
     // several, and has enough beside them?
     bool can_remove_hole(const Face& face, const Loop& hole, const Numbers& corners,
                          const Numbers& edges) const {
-        if (!std::holds_alternative<Plane>(face.surface.form)) return false;
+        if (!is_plane(face)) return false;
         int visits = 0;
         for (const Loop& loop : face.loops) {
             if (&loop == &hole) continue;
             std::size_t left = 0;
             for (const EdgeUse& use : loop) {
-                const Edge& edge = part_.edges[use.edge];
-                if (!std::holds_alternative<Line>(edge.curve)) return false;
-                const bool begins =
-                    std::ranges::binary_search(corners, use.is_forward ? edge.from : edge.to);
+                if (!is_straight(part_.edges[use.edge])) return false;
+                const bool begins = std::ranges::binary_search(corners, begin_of(part_, use));
                 const bool is_gone = std::ranges::binary_search(edges, use.edge);
                 // It leaves them along another edge once for each visit.
                 if (begins && !is_gone) ++visits;
@@ -318,9 +277,7 @@ void drop_empty(Part& part, Numbers& original) {
         std::erase(shell, kNone);
     };
     for (Solid& solid : part.solids) {
-        renumber(solid.outside);
-        for (Shell& shell : solid.voids)
-            renumber(shell);
+        for_shells(solid, renumber);
         std::erase_if(solid.voids, &Shell::empty);
     }
     std::erase_if(part.faces, is_empty);
@@ -331,7 +288,7 @@ void drop_empty(Part& part, Numbers& original) {
 bool contract_short_edges(Part& part) {
     std::vector<std::pair<double, std::uint32_t>> low;
     for (std::uint32_t e = 0; e < part.edges.size(); ++e) {
-        const double length = length_of(part, part.edges[e]);
+        const double length = length_of_chord(part, part.edges[e]);
         if (length < kLeast) low.emplace_back(length, e);
     }
     if (low.empty()) return false;
@@ -352,7 +309,7 @@ void lengthen_short_edges(Part& part) {
     for (int pass = 0; pass < 3; ++pass) {
         for (const Edge& edge : part.edges) {
             Vec3 &a = part.vertices[edge.from], &b = part.vertices[edge.to];
-            const double length = length_of(part, edge);
+            const double length = length_of_chord(part, edge);
             if (length >= 3.0 * kReaderMm || length == 0.0 || !contraction.is_flat(edge)) continue;
             const Vec3 move = (0.5 * (kLeast - length) / length) * (b - a);
             a = a - move;
@@ -361,41 +318,30 @@ void lengthen_short_edges(Part& part) {
     }
 }
 
-std::vector<Numbers> faces_of_edges(const Part& part) {
-    std::vector<Numbers> faces_of(part.edges.size());
-    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-        for (const Loop& loop : part.faces[f].loops) {
-            for (const EdgeUse& use : loop)
-                faces_of[use.edge].push_back(f);
-        }
-    }
-    return faces_of;
-}
-
 // The loop of a plane that has the same edges, which are straight, as this loop.
 struct OppositeLoop {
     std::uint32_t face;
     std::size_t loop;
 };
 
-std::optional<OppositeLoop> opposite_loop(const Part& part, const std::vector<Numbers>& faces_of,
-                                          std::uint32_t f, const Loop& loop) {
+std::optional<OppositeLoop> opposite_loop(const Part& part,
+                                          const std::vector<std::array<std::uint32_t, 2>>& sides,
+                                          const Loop& loop) {
     if (loop.empty()) return std::nullopt;
-    const Numbers& shared = faces_of[loop.front().edge];
-    if (shared.size() != 2 || shared[0] == shared[1]) return std::nullopt;
-    const std::uint32_t other = shared[0] == f ? shared[1] : shared[0];
+    const EdgeUse& first = loop.front();
+    const std::uint32_t other = sides[first.edge][first.is_forward ? 1 : 0];
+    if (other == kNone || sides[first.edge][0] == sides[first.edge][1]) return std::nullopt;
     const Face& face = part.faces[other];
-    if (!std::holds_alternative<Plane>(face.surface.form)) return std::nullopt;
+    if (!is_plane(face)) return std::nullopt;
     const auto has = [](const Loop& in, std::uint32_t edge) {
         return std::ranges::find(in, edge, &EdgeUse::edge) != in.end();
     };
     const auto same =
         std::ranges::find_if(face.loops, [&](const Loop& l) { return has(l, loop.front().edge); });
-    const bool is_same =
-        same != face.loops.end() && same->size() == loop.size() &&
-        std::ranges::all_of(loop, [&](const EdgeUse& use) {
-            return std::holds_alternative<Line>(part.edges[use.edge].curve) && has(*same, use.edge);
-        });
+    const bool is_same = same != face.loops.end() && same->size() == loop.size() &&
+                         std::ranges::all_of(loop, [&](const EdgeUse& use) {
+                             return is_straight(part.edges[use.edge]) && has(*same, use.edge);
+                         });
     if (!is_same) return std::nullopt;
     return OppositeLoop{other, static_cast<std::size_t>(same - face.loops.begin())};
 }
@@ -405,11 +351,11 @@ std::optional<OppositeLoop> opposite_loop(const Part& part, const std::vector<Nu
 // than a line.
 bool remove_flat_pockets(Part& part, const Numbers& crossed) {
     bool any = false;
-    const std::vector<Numbers> faces_of = faces_of_edges(part);
+    const auto sides = sides_of_edges(part);
     const auto empty = [&](std::uint32_t f, std::size_t l, bool may_be_hole) {
         Face& face = part.faces[f];
-        if (!std::holds_alternative<Plane>(face.surface.form)) return;
-        const auto other = opposite_loop(part, faces_of, f, face.loops[l]);
+        if (!is_plane(face)) return;
+        const auto other = opposite_loop(part, sides, face.loops[l]);
         if (!other) return;
         Face& beyond = part.faces[other->face];
         const bool are_whole = face.loops.size() == 1 && beyond.loops.size() == 1;

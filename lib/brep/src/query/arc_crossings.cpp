@@ -5,8 +5,8 @@
 
 #include "ncsim/base/angles.h"
 
-#include "geometry/arc_ends.h"
 #include "geometry/tolerances.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,16 +106,14 @@ bool cross_near_corner(const Part& part, const PlaneEdge& a, const PlaneEdge& b)
 std::optional<std::array<std::uint32_t, 2>> arcs_crossing_near_corner(const Part& part,
                                                                       const Face& face) {
     std::map<std::uint32_t, std::vector<PlaneEdge>> at;  // by vertex
-    for (const Loop& loop : face.loops) {
-        for (const EdgeUse& use : loop) {
-            const Edge& edge = part.edges[use.edge];
-            const auto* circle = std::get_if<Circle>(&edge.curve);
-            if (!circle && !std::holds_alternative<Line>(edge.curve)) continue;
-            const PlaneEdge seen{&edge, circle, use.edge, part.vertices[edge.from],
-                                 part.vertices[edge.to]};
-            at[edge.from].push_back(seen);
-            if (edge.to != edge.from) at[edge.to].push_back(seen);
-        }
+    for (const EdgeUse& use : uses_of(face)) {
+        const Edge& edge = part.edges[use.edge];
+        const auto* circle = std::get_if<Circle>(&edge.curve);
+        if (!circle && !std::holds_alternative<Line>(edge.curve)) continue;
+        const PlaneEdge seen{&edge, circle, use.edge, part.vertices[edge.from],
+                             part.vertices[edge.to]};
+        at[edge.from].push_back(seen);
+        if (edge.to != edge.from) at[edge.to].push_back(seen);
     }
     for (const auto& [v, edges] : at) {
         for (std::size_t i = 0; i < edges.size(); ++i) {

@@ -10,6 +10,7 @@
 #include "geometry/no_index.h"
 #include "geometry/tolerances.h"
 #include "topology/angular_extent.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -54,20 +55,11 @@ bool pierces(Vec3 a, Vec3 b, const TriangleCorners& t) {
 class Measurer {
 public:
     Measurer(const Part& part, const TriangleTree& between)
-        : part_(part), between_(between), beside_(part.edges.size(), {kNone, kNone}) {
-        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-            for (const Loop& loop : part.faces[f].loops) {
-                for (const EdgeUse& use : loop)
-                    beside_[use.edge][use.is_forward ? 0 : 1] = f;
-            }
-        }
-    }
+        : part_(part), between_(between), beside_(sides_of_edges(part)) {}
 
     Features operator()() {
         for (const Solid& solid : part_.solids) {
-            take(solid.outside);
-            for (const Shell& shell : solid.voids)
-                take(shell);
+            for_shells(solid, [&](const Shell& shell) { take(shell); });
         }
         measure_walls();
         sort(features_.bores);
@@ -164,7 +156,7 @@ private:
         for (std::size_t i = 0; i < face.loops.size(); ++i) {
             for (const EdgeUse& use : face.loops[i]) {
                 const Edge& edge = part_.edges[use.edge];
-                const Track track(edge.curve, part_.vertices[edge.from], part_.vertices[edge.to]);
+                const Track track = track_of(part_, edge);
                 const Vec3 p = track.at(0.5);
                 const Vec3 along = (use.is_forward ? 1.0 : -1.0) * track.derivative(0.5);
                 // The face is on the left of its edges.
@@ -280,25 +272,22 @@ private:
     // Returns the edges at which the angle inside the material is between 90° and 180°.
     std::vector<ConvexEdge> blunt_edges(const Face& face) const {
         std::vector<ConvexEdge> edges;
-        for (const Loop& loop : face.loops) {
-            for (const EdgeUse& use : loop) {
-                const std::uint32_t beyond = beside_[use.edge][use.is_forward ? 1 : 0];
-                if (beyond == kNone || part_.faces[beyond].is_facet) continue;
-                const Edge& edge = part_.edges[use.edge];
-                const Track track(edge.curve, part_.vertices[edge.from], part_.vertices[edge.to]);
-                const Vec3 p = track.at(0.5);
-                const Vec3 along =
-                    normalized((use.is_forward ? 1.0 : -1.0) * track.derivative(0.5));
-                const Vec3 own = outward(face.surface, p);
-                const Vec3 other = outward(part_.faces[beyond].surface, p);
-                const double cosine = dot(own, other);
-                if (dot(cross(own, along), other) > -kPointError || cosine < kPointError) continue;
-                double length = 0.0;
-                for (int i = 0; i < kSamples / 2; ++i)
-                    length += norm(track.at((i + 1.0) / (0.5 * kSamples)) -
-                                   track.at(i * 1.0 / (0.5 * kSamples)));
-                edges.push_back({p, along, other, length});
-            }
+        for (const EdgeUse& use : uses_of(face)) {
+            const std::uint32_t beyond = beside_[use.edge][use.is_forward ? 1 : 0];
+            if (beyond == kNone || part_.faces[beyond].is_facet) continue;
+            const Edge& edge = part_.edges[use.edge];
+            const Track track = track_of(part_, edge);
+            const Vec3 p = track.at(0.5);
+            const Vec3 along = normalized((use.is_forward ? 1.0 : -1.0) * track.derivative(0.5));
+            const Vec3 own = outward(face.surface, p);
+            const Vec3 other = outward(part_.faces[beyond].surface, p);
+            const double cosine = dot(own, other);
+            if (dot(cross(own, along), other) > -kPointError || cosine < kPointError) continue;
+            double length = 0.0;
+            for (int i = 0; i < kSamples / 2; ++i)
+                length += norm(track.at((i + 1.0) / (0.5 * kSamples)) -
+                               track.at(i * 1.0 / (0.5 * kSamples)));
+            edges.push_back({p, along, other, length});
         }
         return edges;
     }
@@ -366,7 +355,7 @@ private:
         const std::uint32_t beyond = beside_[use.edge][use.is_forward ? 1 : 0];
         if (beyond == kNone) return false;
         const Edge& edge = part_.edges[use.edge];
-        const Track track(edge.curve, part_.vertices[edge.from], part_.vertices[edge.to]);
+        const Track track = track_of(part_, edge);
         const Vec3 p = track.at(0.5);
         const Vec3 along = (use.is_forward ? -1.0 : 1.0) * track.derivative(0.5);
         const Surface& surface = part_.faces[beyond].surface;
@@ -476,8 +465,7 @@ private:
             }
             auto& origins = (*same)->origins;
             origins.insert(origins.end(), distance.origins.begin(), distance.origins.end());
-            std::sort(origins.begin(), origins.end());
-            origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
+            sort_unique(origins);
         }
         for (Distance* distance : listed)
             features_.distances.push_back(std::move(*distance));

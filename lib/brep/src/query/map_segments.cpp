@@ -2,6 +2,7 @@
 #include "query/map_segments.h"
 
 #include "geometry/tolerances.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <limits>
@@ -210,8 +211,7 @@ public:
             }
         }
         if (first == last) return;
-        std::ranges::sort(others);
-        others.erase(std::unique(others.begin(), others.end()), others.end());
+        sort_unique(others);
     }
 
 private:

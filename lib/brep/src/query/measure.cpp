@@ -8,6 +8,7 @@
 #include "geometry/swept_integrals.h"
 #include "geometry/tolerances.h"
 #include "topology/axes.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -209,8 +210,7 @@ Measure measure_revolved(const Part& part, const Face& face, const Axes& axes, c
         std::abs(turns) > 0.01 * kUnitRounding) {
         const EdgeUse& first = face.loops.front().front();
         const Edge& edge = part.edges[first.edge];
-        const Local start =
-            axes(Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]).at(0.0));
+        const Local start = axes(track_of(part, edge).at(0.0));
         for_angles([&](const Local& p, double turned, double) {
             if (turned == 0.0) return;
             const double scale = start.radius / p.radius;
@@ -532,17 +532,14 @@ Sums sums_of(const Part& part, const Face& face, Vec3 apex) {
 
 Sums sums_of(const Part& part, const Solid& solid, Vec3 apex) {
     Sums all;
-    const auto add = [&](const Shell& shell) {
+    for_shells(solid, [&](const Shell& shell) {
         for (const std::uint32_t f : shell) {
             const Sums sums = sums_of(part, part.faces[f], apex);
             all.volume += sums.volume;
             all.area += sums.area;
             all.moment = all.moment + sums.moment;
         }
-    };
-    add(solid.outside);
-    for (const Shell& shell : solid.voids)
-        add(shell);
+    });
     return all;
 }
 
@@ -612,11 +609,8 @@ double volume(const Part& part) {
         for (const std::uint32_t f : shell)
             sum += measure(part, part.faces[f], apex).volume;
     };
-    for (const Solid& solid : part.solids) {
-        add(solid.outside);
-        for (const Shell& shell : solid.voids)
-            add(shell);
-    }
+    for (const Solid& solid : part.solids)
+        for_shells(solid, add);
     return sum;
 }
 

@@ -10,6 +10,7 @@
 #include "query/map_segments.h"
 #include "topology/angular_extent.h"
 #include "topology/axes.h"
+#include "topology/face_edges.h"
 #include "topology/whole_circle.h"
 
 #include <algorithm>
@@ -270,12 +271,10 @@ bool only_touches_itself(const Part& part, const Face& face, double clear_mm) {
         Vec3 a, b;
     };
     std::vector<Straight> edges;
-    for (const Loop& loop : face.loops) {
-        for (const EdgeUse& use : loop) {
-            const Edge& edge = part.edges[use.edge];
-            if (!std::holds_alternative<Line>(edge.curve)) return false;
-            edges.push_back({edge.from, edge.to, part.vertices[edge.from], part.vertices[edge.to]});
-        }
+    for (const EdgeUse& use : uses_of(face)) {
+        const Edge& edge = part.edges[use.edge];
+        if (!std::holds_alternative<Line>(edge.curve)) return false;
+        edges.push_back({edge.from, edge.to, part.vertices[edge.from], part.vertices[edge.to]});
     }
     // Returns the distance of a point to the left of an edge.
     const auto left_distance = [&](const Straight& s, Vec3 p) {
@@ -300,11 +299,9 @@ std::vector<Fault> check_part(Part& part, double tolerance_mm) {
     std::vector<Fault> faults;
     std::vector<int> uses(part.edges.size(), 0), sum(part.edges.size(), 0);
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-        for (const Loop& loop : part.faces[f].loops) {
-            for (const EdgeUse& use : loop) {
-                ++uses[use.edge];
-                sum[use.edge] += use.is_forward ? 1 : -1;
-            }
+        for (const EdgeUse& use : uses_of(part.faces[f])) {
+            ++uses[use.edge];
+            sum[use.edge] += use.is_forward ? 1 : -1;
         }
         const auto more = faults_of(part, f, tolerance_mm, part.miss_mm);
         faults.insert(faults.end(), more.begin(), more.end());

@@ -9,6 +9,7 @@
 #include "geometry/no_index.h"
 #include "geometry/tolerances.h"
 #include "sources/label.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -129,8 +130,7 @@ Shading ShadingMaker::finish() {
     for (std::uint32_t v = 0; v < boundary_.vertices.size(); ++v) {
         shading_.first_.push_back(static_cast<std::uint32_t>(shading_.corners_.size()));
         here.assign(adjacent.begin() + first[v], adjacent.begin() + first[v + 1]);
-        std::sort(here.begin(), here.end());
-        here.erase(std::unique(here.begin(), here.end()), here.end());
+        sort_unique(here);
         const Vec3 p = boundary_.vertices[v];
         for (const std::uint32_t s : here) {
             if (is_flat(surfaces[s])) continue;

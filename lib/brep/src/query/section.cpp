@@ -14,6 +14,7 @@
 #include "geometry/plane_cut.h"
 #include "geometry/tolerances.h"
 #include "topology/crossings.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,12 +155,12 @@ public:
             crossings_in_all_ += static_cast<std::uint32_t>(crossings_[e].size());
         }
         for (const Solid& solid : part_.solids) {
-            if (!std::ranges::all_of(solid.outside, [&](auto f) { return cut(part_.faces[f]); }))
-                return std::nullopt;
-            for (const Shell& shell : solid.voids) {
-                if (!std::ranges::all_of(shell, [&](auto f) { return cut(part_.faces[f]); }))
-                    return std::nullopt;
-            }
+            bool is_cut = true;
+            for_shells(solid, [&](const Shell& shell) {
+                is_cut = is_cut &&
+                         std::ranges::all_of(shell, [&](auto f) { return cut(part_.faces[f]); });
+            });
+            if (!is_cut) return std::nullopt;
         }
         if (!join()) return std::nullopt;
         return std::move(section_);
@@ -168,17 +169,15 @@ public:
 private:
     std::vector<Event> events_of(const Face& face, bool& is_below, bool& is_above) const {
         std::vector<Event> events;
-        for (const Loop& loop : face.loops) {
-            for (const EdgeUse& use : loop) {
-                const auto& crossings = crossings_[use.edge];
-                (is_above_[part_.edges[use.edge].from] ? is_above : is_below) = true;
-                for (std::size_t i = 0; i < crossings.size(); ++i) {
-                    // The face is on the left of its edges, so the cut begins where an edge
-                    // descends.
-                    events.push_back({crossings[i].at, crossings[i].above,
-                                      first_[use.edge] + static_cast<std::uint32_t>(i),
-                                      crossings[i].goes_up != use.is_forward});
-                }
+        for (const EdgeUse& use : uses_of(face)) {
+            const auto& crossings = crossings_[use.edge];
+            (is_above_[part_.edges[use.edge].from] ? is_above : is_below) = true;
+            for (std::size_t i = 0; i < crossings.size(); ++i) {
+                // The face is on the left of its edges, so the cut begins where an edge
+                // descends.
+                events.push_back({crossings[i].at, crossings[i].above,
+                                  first_[use.edge] + static_cast<std::uint32_t>(i),
+                                  crossings[i].goes_up != use.is_forward});
             }
         }
         return events;
@@ -266,16 +265,14 @@ private:
     bool may_be_deeper(const Face& face, const Envelope& envelope) const {
         const Sweep& sweep = *envelope.sweep;
         double begin = 1e9, end = -1e9, first = 1e9, last = -1e9;
-        for (const Loop& loop : face.loops) {
-            for (const EdgeUse& use : loop) {
-                const Vec3 p = part_.vertices[part_.edges[use.edge].from];
-                const ClosestPoint place = project_onto(envelope, p);
-                const double across = place_across(sweep, place.tool, place.foot);
-                begin = std::min(begin, place.t);
-                end = std::max(end, place.t);
-                first = std::min(first, across);
-                last = std::max(last, across);
-            }
+        for (const EdgeUse& use : uses_of(face)) {
+            const Vec3 p = part_.vertices[part_.edges[use.edge].from];
+            const ClosestPoint place = project_onto(envelope, p);
+            const double across = place_across(sweep, place.tool, place.foot);
+            begin = std::min(begin, place.t);
+            end = std::max(end, place.t);
+            first = std::min(first, across);
+            last = std::max(last, across);
         }
         bool is_below = false, is_above = false;
         for (int i = 0; i <= kSamples; ++i) {
@@ -348,18 +345,15 @@ private:
             double nearest = 0.0;
             std::optional<bool> inside;
             bool any = false;
-            for (const Loop& loop : face.loops) {
-                for (const EdgeUse& use : loop) {
-                    for (const Crossing& c :
-                         crossings_of(part_, part_.edges[use.edge], second, 0.0)) {
-                        if (!along.has(c.at)) continue;
-                        any = true;
-                        double ahead = sign * (along.place_of(c.at) - along.place_of(q));
-                        if (other.is_closed() && ahead < 0.0) ahead += 360.0;
-                        if (ahead < 0.0 || (inside && ahead >= nearest)) continue;
-                        nearest = ahead;
-                        inside = c.goes_up == use.is_forward;
-                    }
+            for (const EdgeUse& use : uses_of(face)) {
+                for (const Crossing& c : crossings_of(part_, part_.edges[use.edge], second, 0.0)) {
+                    if (!along.has(c.at)) continue;
+                    any = true;
+                    double ahead = sign * (along.place_of(c.at) - along.place_of(q));
+                    if (other.is_closed() && ahead < 0.0) ahead += 360.0;
+                    if (ahead < 0.0 || (inside && ahead >= nearest)) continue;
+                    nearest = ahead;
+                    inside = c.goes_up == use.is_forward;
                 }
             }
             if (inside) return *inside;

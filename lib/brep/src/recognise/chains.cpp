@@ -3,16 +3,15 @@
 
 #include "ncsim/base/angles.h"
 
-#include "geometry/arc_ends.h"
 #include "geometry/contact.h"
 #include "geometry/envelope_contact.h"
 #include "geometry/intersection_spline.h"
 #include "geometry/path_corners.h"
 #include "geometry/tolerances.h"
 #include "topology/angular_extent.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -117,8 +116,7 @@ void Chains::trace() {
         if (chain_of_[h] == kNone) follow(h, true);
     }
     for (Vertex& v : vertices_) {
-        std::sort(v.groups.begin(), v.groups.end());
-        v.groups.erase(std::unique(v.groups.begin(), v.groups.end()), v.groups.end());
+        sort_unique(v.groups);
     }
 }
 
@@ -207,7 +205,6 @@ void Chains::solve() {
     if (!failures_.empty()) return;
     widen(narrow);
     if (!failures_.empty()) return;
-    join_same_corners();
     // One may turn another one round.
     for (int pass = 0; pass < 4; ++pass) {
         if (!flip_reversed()) break;
@@ -227,7 +224,6 @@ void Chains::solve() {
     for (Chain& chain : chains_)
         solve_chain(chain);
     if (failures_.empty()) join_vanished();
-    if (failures_.empty()) end_arcs_in_corners();
 }
 
 // Where walls touch but for rounding, corners above each other are beside each other by as much:
@@ -416,58 +412,6 @@ bool Chains::is_of_rounding(const Chain& chain) const {
            norm(middle_of(chain) - from) < reach({chain.left, chain.right});
 }
 
-// Arcs that run out together in a corner but miss it cross on both sides of it. Each that misses it
-// by less than readers merge becomes the circle that ends in both of its corners with the direction
-// that it has there; a spline, if no circle as near does.
-void Chains::end_arcs_in_corners() {
-    struct End {
-        std::uint32_t chain;
-        bool is_start;
-        Vec3 direction;  // as it leaves the corner, unit
-    };
-    std::vector<std::vector<End>> ends(vertices_.size());
-    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
-        const Chain& chain = chains_[c];
-        if (chain.has_vanished || chain.has_failed || chain.is_closed || chain.from == chain.to)
-            continue;
-        const Vec3 from = vertices_[chain.from].at, to = vertices_[chain.to].at;
-        const auto* circle = std::get_if<Circle>(&chain.curve);
-        if (!circle && !std::holds_alternative<Line>(chain.curve)) continue;
-        const auto along = [&](Vec3 p) {
-            return normalized(circle ? cross(circle->axis, p - circle->centre) : to - from);
-        };
-        ends[chain.from].push_back({c, true, along(from)});
-        ends[chain.to].push_back({c, false, -along(to)});
-    }
-    std::vector<std::array<bool, 2>> runs_out(chains_.size());  // at its start, at its end
-    for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
-        if (vertices_[v].miss <= 0.1 * kRounding || vertices_[v].miss > 2.0 * kReaderMm) continue;
-        for (std::size_t i = 0; i < ends[v].size(); ++i) {
-            for (std::size_t j = i + 1; j < ends[v].size(); ++j) {
-                if (norm(ends[v][i].direction - ends[v][j].direction) > kLeastSine) continue;
-                for (const End& end : {ends[v][i], ends[v][j]})
-                    runs_out[end.chain][end.is_start ? 0 : 1] = true;
-            }
-        }
-    }
-    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
-        const auto [starts, stops] = runs_out[c];
-        auto* circle = std::get_if<Circle>(&chains_[c].curve);
-        if (!circle || (!starts && !stops)) continue;
-        const Vec3 from = vertices_[chains_[c].from].at, to = vertices_[chains_[c].to].at;
-        const Vec3 first = starts ? from : to, second = starts ? to : from;
-        const auto ending = circle_through(*circle, first, second);
-        // Directions that differ by more cross farther from the corner than readers merge.
-        const bool both = starts && stops;
-        if (ending && (!both || angle_between(*circle, *ending, second) <= 10.0 * kRounding)) {
-            *circle = *ending;
-            continue;
-        }
-        chains_[c].curve = arc_between(*circle, groups_.form_of(chains_[c].left),
-                                       groups_.form_of(chains_[c].right), from, to);
-    }
-}
-
 void Chains::solve_chain(Chain& chain) {
     const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
     if (chain.has_vanished) return;
@@ -475,15 +419,6 @@ void Chains::solve_chain(Chain& chain) {
     chain.has_failed = from.has_failed || to.has_failed;
     if (chain.has_failed) return;
     const bool is_loop = chain.from == chain.to;
-    if (is_loop) {
-        // Around facets that are needles.
-        const std::vector<Vec3> points = points_of(chain);
-        const auto is_there = [&](Vec3 p) { return norm(p - points.front()) < kFlat; };
-        if (std::ranges::all_of(points, is_there)) {
-            chain.has_vanished = true;
-            return;
-        }
-    }
     if (!is_loop && norm(to.at - from.at) <= kReaderMm) {
         // A circle that ends where it begins, or nothing?
         if (norm(middle_of(chain) - from.at) < reach({chain.left, chain.right})) {

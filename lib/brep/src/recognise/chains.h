@@ -122,9 +122,6 @@ private:
     };
     std::optional<Crossing> crossing_at(std::uint32_t number, const ChainsAt& at) const;
     bool are_walls(const std::vector<std::uint32_t>& groups) const;
-    void join_same_corners();
-    void join(std::uint32_t removed, std::uint32_t kept);
-    std::optional<std::uint32_t> close_pinch(std::uint32_t v);
     ChainsAt chains_at() const;
     bool flip_reversed();
     std::optional<std::array<std::uint32_t, 2>> tangent_sides(const Vertex& v) const;
@@ -156,7 +153,6 @@ private:
     Vec3 middle_of(const Chain& chain) const;
     std::optional<Spline> spline_of(const Chain& chain, const Form& first, const Form& second,
                                     const std::vector<Vec3>& points);
-    void end_arcs_in_corners();
     void solve_chain(Chain& chain);
     bool is_of_rounding(const Chain& chain) const;
     void vanish(Chain& chain) const { chain.has_vanished = true; }

@@ -7,6 +7,7 @@
 #include "geometry/path_corners.h"
 #include "geometry/tolerances.h"
 #include "recognise/chains.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -168,8 +169,7 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines
         numbers.push_back(groups_[g].surface);
         all_flat = all_flat && std::holds_alternative<Plane>(groups_.form_of(g));
     }
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    sort_unique(numbers);
     std::vector<const Form*> forms;
     forms.reserve(numbers.size());
     for (const std::uint32_t n : numbers)
@@ -215,13 +215,11 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines
     // Planes at small angles meet far away for little; not those that are parallel but for
     // rounding.
     const bool is_far = all_flat && are_askew(std::span(forms).first(count));
-    const bool is_lost =
-        !(v.miss <= kTangencyGapMm) || deviation > (is_far ? 2.0 : 1.0) * reach(v.groups);
-    if (!is_lost) return true;
-    // Planes that were made to meet within less than anybody sees.
+    if (v.miss <= kTangencyGapMm && deviation <= (is_far ? 2.0 : 1.0) * reach(v.groups))
+        return true;
     v.at = start;
     v.miss = largest_distance(numbers, v.at);
-    return all_flat && v.miss <= kFlat;
+    return false;
 }
 
 // As it was found last, if nothing around it has changed.

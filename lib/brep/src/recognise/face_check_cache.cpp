@@ -5,6 +5,7 @@
 
 #include "geometry/tolerances.h"
 #include "heal/tangent_holes.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <limits>
@@ -35,13 +36,7 @@ std::size_t outline_of(const Part& part, const Face& face) {
 
 // Does a loop come back to a corner, or another one come to it?
 bool is_pinched(const Part& part, const Face& face) {
-    std::vector<std::uint32_t> corners;
-    for (const Loop& loop : face.loops) {
-        for (const EdgeUse& use : loop) {
-            const Edge& edge = part.edges[use.edge];
-            corners.push_back(use.is_forward ? edge.from : edge.to);
-        }
-    }
+    Numbers corners = corners_of(part, face);
     std::sort(corners.begin(), corners.end());
     return std::ranges::adjacent_find(corners) != corners.end();
 }

@@ -6,6 +6,7 @@
 #include "geometry/contact.h"
 #include "geometry/envelope_contact.h"
 #include "geometry/tolerances.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -508,8 +509,7 @@ std::vector<std::uint32_t> Groups::adjacent_analytic_groups(
             for (const auto& [n, shared] : neighbours(g))
                 groups.push_back(n);
         }
-        std::sort(groups.begin(), groups.end());
-        groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+        sort_unique(groups);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "recognise/face_loops.h"
 
 #include "geometry/tolerances.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -40,27 +41,13 @@ bool divide(std::vector<Loop>& loops, const EdgeUse& longer, const EdgeUse& slit
 // Of the loops of a face two edges that have become one, or one that it has twice: with the face on
 // both sides.
 void remove_uses(std::vector<Loop>& loops, std::uint32_t one, std::uint32_t two) {
-    std::vector<std::pair<std::size_t, std::size_t>> uses;
+    std::vector<UsePlace> uses;
     for (std::size_t l = 0; l < loops.size(); ++l) {
         for (std::size_t i = 0; i < loops[l].size(); ++i) {
             if (loops[l][i].edge == one || loops[l][i].edge == two) uses.emplace_back(l, i);
         }
     }
-    if (uses.size() != 2) return;
-    Loop &first = loops[uses[0].first], &second = loops[uses[1].first];
-    std::rotate(first.begin(), place(first, uses[0].second), first.end());
-    if (&first == &second) {
-        const auto at = place(first, uses[1].second - uses[0].second);
-        Loop rest(at + 1, first.end());
-        first.erase(at, first.end());
-        first.erase(first.begin());
-        loops.push_back(std::move(rest));
-        return;
-    }
-    std::rotate(second.begin(), place(second, uses[1].second), second.end());
-    first.erase(first.begin());
-    first.insert(first.end(), second.begin() + 1, second.end());
-    second.clear();
+    if (uses.size() == 2) erase_uses(loops, uses[0], uses[1]);
 }
 
 }  // namespace

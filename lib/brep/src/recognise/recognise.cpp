@@ -29,6 +29,7 @@
 #include "recognise/face_loops.h"
 #include "recognise/facet_mesh.h"
 #include "topology/chords.h"
+#include "topology/face_edges.h"
 #include "topology/nesting.h"
 
 #include <algorithm>
@@ -162,8 +163,7 @@ private:
             auto& found = face_checks_.lookup(part, face, groups_[g].facets.front());
             // Facets may be as thin as they are. Beside them readers make edges as wide as they are
             // off.
-            const double width =
-                std::max(is_sickle(face) ? kTangencyGapMm : kLeastSizeMm, neighbour_error(g));
+            const double width = std::max(kLeastSizeMm, neighbour_error(g));
             is_removed[g] = groups_[g].is_analytic &&
                             2.0 * std::abs(found.measure.area) <= width * found.measure.length;
             if (is_removed[g]) vanish(g, true);
@@ -181,10 +181,6 @@ private:
                     return is_removed[neighbour.first];
                 });
             if (is_next_to_removed) continue;
-            if (auto gaps = groups_next_to_gaps(part, part.faces[f]); !gaps.empty()) {
-                failures_.push_back({std::move(gaps)});
-                continue;
-            }
             if (!is_wanted(g)) continue;
             const double error = neighbour_error(g);
             const double tolerance = error > 0.0 ? 1.5 * kFacetSlack * error : kTangencyGapMm;
@@ -193,7 +189,6 @@ private:
             const double clear = error > 0.0 && !is_flat ? 0.05 * tolerance : kReaderClearance;
             double& miss = error > 0.0 ? part.facet_miss_mm : part.miss_mm;
             if (!is_too_large(g, checks[f]->measure.area) &&
-                !has_tiny_corner(part, part.faces[f]) &&
                 !FaceCheckCache::is_faulty(*checks[f], part, f, tolerance, clear, miss))
                 continue;
             if (chains_.join_corners(g)) {
@@ -268,16 +263,14 @@ private:
         std::vector<bool> result;
         for (const Face& face : part.faces) {
             result.push_back(
-                face.is_facet && std::ranges::all_of(face.loops, [&](const Loop& loop) {
-                    return std::ranges::all_of(loop, [&](const EdgeUse& use) {
-                        const Chain& chain = chains_.all()[use.edge];
-                        const auto is_at = [&](std::uint32_t vertex, std::uint32_t corner) {
-                            return part.vertices[vertex] == mesh_.point(corner);
-                        };
-                        return is_at(part.edges[use.edge].from,
-                                     mesh_.edges()[chain.edges.front()].from) &&
-                               is_at(part.edges[use.edge].to, mesh_.to(chain.edges.back()));
-                    });
+                face.is_facet && std::ranges::all_of(uses_of(face), [&](const EdgeUse& use) {
+                    const Chain& chain = chains_.all()[use.edge];
+                    const auto is_at = [&](std::uint32_t vertex, std::uint32_t corner) {
+                        return part.vertices[vertex] == mesh_.point(corner);
+                    };
+                    return is_at(part.edges[use.edge].from,
+                                 mesh_.edges()[chain.edges.front()].from) &&
+                           is_at(part.edges[use.edge].to, mesh_.to(chain.edges.back()));
                 }));
         }
         return result;
@@ -309,52 +302,11 @@ private:
         }
     }
 
-    // Where a dome ends between floor and wall, readers find edges of micrometres crossed on its
-    // splines, and draw nothing.
-    static bool has_tiny_corner(const Part& part, const Face& face) {
-        if (!std::holds_alternative<Dome>(face.surface.form)) return false;
-        return std::ranges::any_of(face.loops, [&](const Loop& loop) {
-            return std::ranges::any_of(loop, [&](const EdgeUse& use) {
-                const Edge& edge = part.edges[use.edge];
-                return edge.from != edge.to &&
-                       norm(part.vertices[edge.to] - part.vertices[edge.from]) < 2.0 * kLeastSizeMm;
-            });
-        });
-    }
-
     // The wrong curve, and a face ends somewhere else. A facet may be wider than what is left of
     // it, by as much at each edge.
     bool is_too_large(std::uint32_t g, double area) const {
         const double facet = std::sqrt(8.0 * kLargeRadius * groups_.error_of(g));
         return area > 2.0 * (groups_[g].area + groups_.perimeter(g) * facet);
-    }
-
-    // Where its loops are open: the groups on both sides of the edges there.
-    std::vector<std::uint32_t> groups_next_to_gaps(const Part& part, const Face& face) const {
-        const auto begin_of = [&](const EdgeUse& use) {
-            return use.is_forward ? part.edges[use.edge].from : part.edges[use.edge].to;
-        };
-        const auto end_of = [&](const EdgeUse& use) {
-            return use.is_forward ? part.edges[use.edge].to : part.edges[use.edge].from;
-        };
-        std::vector<std::uint32_t> groups;
-        for (const Loop& loop : face.loops) {
-            for (std::size_t i = 0; i < loop.size(); ++i) {
-                const EdgeUse &use = loop[i], &next = loop[(i + 1) % loop.size()];
-                if (end_of(use) == begin_of(next)) continue;
-                for (const std::uint32_t edge : {use.edge, next.edge}) {
-                    groups.push_back(chains_.all()[edge].left);
-                    groups.push_back(chains_.all()[edge].right);
-                }
-            }
-        }
-        return groups;
-    }
-
-    // Between two edges with the same ends. As narrow as what programs round, they are lost where
-    // readers draw both as lines.
-    static bool is_sickle(const Face& face) {
-        return face.loops.size() == 1 && face.loops.front().size() == 2;
     }
 
     // A group without a width on the true surfaces.
@@ -372,9 +324,7 @@ private:
             const auto& of = mesh_.origins(i);
             face.origins.insert(face.origins.end(), of.begin(), of.end());
         }
-        std::sort(face.origins.begin(), face.origins.end());
-        face.origins.erase(std::unique(face.origins.begin(), face.origins.end()),
-                           face.origins.end());
+        sort_unique(face.origins);
         face.origin = face.origins.empty() ? cda::kStockOrigin : face.origins.front();
     }
 
@@ -518,7 +468,6 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, SweptSurf
     split_cones_at_base_circle(result.part);
     split_arcs_near_corners(result.part);
     split_arcs_at_cusps(result.part);
-    shrink_touching_ellipses(result.part);
     refine_splines(result.part);
     std::set<cda::Origin> of_facets;
     for (const Face& face : result.part.faces) {

@@ -6,6 +6,7 @@
 #include "ncsim/base/angles.h"
 
 #include "geometry/tolerances.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ std::vector<std::vector<Vec3>> points_along(const Part& part, const Face& face) 
         std::vector<Vec3>& points = loops.emplace_back();
         for (const EdgeUse& use : loop) {
             const Edge& edge = part.edges[use.edge];
-            const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+            const Track track = track_of(part, edge);
             const std::size_t steps = 4 * track.pieces();
             for (std::size_t i = 0; i < steps; ++i) {
                 const double t = static_cast<double>(i) / static_cast<double>(steps);

@@ -5,6 +5,8 @@
 
 #include "ncsim/brep/part.h"
 
+#include "topology/face_edges.h"
+
 #include <cmath>
 #include <variant>
 
@@ -59,12 +61,9 @@ inline Axes axes_of(const Face& face, Vec3 origin) {
 /// -1.
 template <typename Visit>
 void for_edges(const Part& part, const Face& face, const Visit& visit) {
-    for (const Loop& loop : face.loops) {
-        for (const EdgeUse& use : loop) {
-            const Edge& edge = part.edges[use.edge];
-            visit(Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]),
-                  use.is_forward ? 1.0 : -1.0);
-        }
+    for (const EdgeUse& use : uses_of(face)) {
+        const Edge& edge = part.edges[use.edge];
+        visit(track_of(part, edge), use.is_forward ? 1.0 : -1.0);
     }
 }
 

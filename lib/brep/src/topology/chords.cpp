@@ -5,6 +5,7 @@
 
 #include "geometry/tolerances.h"
 #include "topology/edge_splitter.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@
 #include <cstdint>
 #include <optional>
 #include <variant>
-#include <vector>
 
 namespace ncsim::brep {
 
@@ -61,19 +61,14 @@ std::optional<double> nearest_inside(const Track& track, Vec3 p) {
 // Corners of a planar face, in the order of X.
 class CornersOfPlane {
 public:
-    CornersOfPlane(const Part& part, const Face& face) : part_(part) {
-        for (const Loop& loop : face.loops) {
-            for (const EdgeUse& use : loop) {
-                const Edge& edge = part.edges[use.edge];
-                corners_.push_back(use.is_forward ? edge.from : edge.to);
-            }
-        }
+    CornersOfPlane(const Part& part, const Face& face)
+        : part_(part), corners_(corners_of(part, face)) {
         std::ranges::sort(corners_, {}, [&](std::uint32_t v) { return part.vertices[v].x; });
     }
 
     // Returns the fraction of the arc at which to split, next to a corner.
     std::optional<double> split_position(const Edge& edge, const Arc& arc) const {
-        const Track track(edge.curve, part_.vertices[edge.from], part_.vertices[edge.to]);
+        const Track track = track_of(part_, edge);
         const double reach = arc.reach + kChordDepth;
         const auto first =
             std::ranges::lower_bound(corners_, arc.centre.x - reach, {},
@@ -111,7 +106,7 @@ private:
     }
 
     const Part& part_;
-    std::vector<std::uint32_t> corners_;
+    Numbers corners_;
 };
 
 // Returns true if an edge was split.
@@ -119,16 +114,14 @@ bool divide_once(Part& part) {
     bool any = false;
     EdgeSplitter halving(part);
     for (const Face& face : part.faces) {
-        if (!std::holds_alternative<Plane>(face.surface.form)) continue;
+        if (!is_plane(face)) continue;
         std::optional<CornersOfPlane> corners;
-        for (const Loop& loop : face.loops) {
-            for (const EdgeUse& use : loop) {
-                const auto arc = arc_of(part.edges[use.edge].curve);
-                if (!arc) continue;
-                if (!corners) corners.emplace(part, face);
-                const auto at = corners->split_position(part.edges[use.edge], *arc);
-                any = (at && halving.halve(use.edge, *at)) || any;
-            }
+        for (const EdgeUse& use : uses_of(face)) {
+            const auto arc = arc_of(part.edges[use.edge].curve);
+            if (!arc) continue;
+            if (!corners) corners.emplace(part, face);
+            const auto at = corners->split_position(part.edges[use.edge], *arc);
+            any = (at && halving.halve(use.edge, *at)) || any;
         }
     }
     halving.finish();

@@ -2,6 +2,7 @@
 #include "ncsim/brep/divided_edge.h"
 
 #include "topology/divided_spline.h"
+#include "topology/face_edges.h"
 
 #include <utility>
 #include <variant>
@@ -32,7 +33,7 @@ EdgeHalves divide_edge(const Part& part, const Edge& edge, double at) {
         begin_at(halves[1], 0.0);
         return {halves[1].points.front(), std::move(halves[0]), std::move(halves[1])};
     }
-    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    const Track track = track_of(part, edge);
     return {point_in_file(track, track.at(at)), edge.curve, edge.curve};
 }
 

@@ -5,6 +5,7 @@
 
 #include "geometry/no_index.h"
 #include "topology/divided_spline.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -36,7 +37,7 @@ std::optional<EdgeHalves> split_edge(const Part& part, const Edge& edge, double 
         if (k.size() < 3) return std::nullopt;
         return divide_edge(part, edge, (k[k.size() / 2] - k.front()) / (k.back() - k.front()));
     }
-    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    const Track track = track_of(part, edge);
     return EdgeHalves{track.at(at), edge.curve, edge.curve};
 }
 

@@ -7,6 +7,7 @@
 
 #include "geometry/tolerances.h"
 #include "topology/angular_extent.h"
+#include "topology/face_edges.h"
 #include "topology/whole_circle.h"
 
 #include <algorithm>
@@ -57,13 +58,10 @@ std::optional<Frame> frame_of_turned(const Part& part, const Face& face) {
 // Returns the common axis of a cap or zone, whose edges are circles about the same axis.
 std::optional<Vec3> axis_of_zone(const Part& part, const Face& face) {
     std::optional<Vec3> axis;
-    for (const Loop& loop : face.loops) {
-        for (const EdgeUse& use : loop) {
-            const auto* circle = std::get_if<Circle>(&part.edges[use.edge].curve);
-            if (!circle || (axis && norm(cross(*axis, circle->axis)) > kRounding))
-                return std::nullopt;
-            if (!axis) axis = circle->axis;
-        }
+    for (const EdgeUse& use : uses_of(face)) {
+        const auto* circle = std::get_if<Circle>(&part.edges[use.edge].curve);
+        if (!circle || (axis && norm(cross(*axis, circle->axis)) > kRounding)) return std::nullopt;
+        if (!axis) axis = circle->axis;
     }
     return axis;
 }
@@ -113,17 +111,14 @@ Vec3 sphere_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 centre) {
 std::optional<Vec3> axis_of_parameters(const Part& part, const Face& face, const Sphere& sphere) {
     std::vector<const Edge*> edges;
     std::vector<Vec3> normals;
-    for (const Loop& loop : face.loops) {
-        for (const EdgeUse& use : loop) {
-            const Edge& edge = part.edges[use.edge];
-            const auto* circle = std::get_if<Circle>(&edge.curve);
-            if (!circle) return std::nullopt;
-            edges.push_back(&edge);
-            const bool is_known = std::ranges::any_of(normals, [&](Vec3 normal) {
-                return norm(cross(normal, circle->axis)) < kRounding;
-            });
-            if (!is_known) normals.push_back(circle->axis);
-        }
+    for (const EdgeUse& use : uses_of(face)) {
+        const Edge& edge = part.edges[use.edge];
+        const auto* circle = std::get_if<Circle>(&edge.curve);
+        if (!circle) return std::nullopt;
+        edges.push_back(&edge);
+        const bool is_known = std::ranges::any_of(
+            normals, [&](Vec3 normal) { return norm(cross(normal, circle->axis)) < kRounding; });
+        if (!is_known) normals.push_back(circle->axis);
     }
     std::vector<Vec3> axes = normals;
     for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -252,13 +247,10 @@ std::optional<Vec3> half_of_ramp(const Part& part, const Face& face) {
     const auto place = [&](Vec3 p) {
         return dot(p - place_along(*ramp, p) * ramp->along - ramp->centre, ahead) / ramp->radius;
     };
-    const bool ends_beside_side = std::ranges::any_of(face.loops, [&](const Loop& loop) {
-        return std::ranges::any_of(loop, [&](const EdgeUse& use) {
-            const Edge& edge = part.edges[use.edge];
-            const double at = std::abs(place(part.vertices[use.is_forward ? edge.from : edge.to]));
-            // Corners nearer to the side are corners of walls, displaced by rounding.
-            return at > 1e-4 && at < 0.05;
-        });
+    const bool ends_beside_side = std::ranges::any_of(uses_of(face), [&](const EdgeUse& use) {
+        const double at = std::abs(place(part.vertices[begin_of(part, use)]));
+        // Corners nearer to the side are corners of walls, displaced by rounding.
+        return at > 1e-4 && at < 0.05;
     });
     if (!ends_beside_side) return std::nullopt;
     double rearmost = 1.0, foremost = -1.0;

@@ -8,6 +8,7 @@
 #include "geometry/tolerances.h"
 #include "topology/angular_extent.h"
 #include "topology/envelope_patch.h"
+#include "topology/face_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -85,26 +86,24 @@ template <typename PlaceOf>
 Reach reach_of_patch(const Part& part, const Face& face, const Reach& reach,
                      const PlaceOf& place_of, double radius_around, double radius_along) {
     std::array<bool, 4> ends{};  // first, last, low, high
-    for (const Loop& loop : face.loops) {
-        for (const EdgeUse& use : loop) {
-            const Edge& edge = part.edges[use.edge];
-            const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
-            std::array<double, 2> farthest{};
-            std::array<std::array<double, 2>, 5> places{};
-            for (std::size_t i = 0; i < places.size(); ++i) {
-                places[i] = place_of(track.at(0.25 * static_cast<double>(i)));
-                for (std::size_t k = 0; k < 2; ++k)
-                    farthest[k] = std::max(farthest[k], std::abs(places[i][k] - places[0][k]));
-            }
-            const auto is_at = [&](std::size_t k, double end, double radius) {
-                const double most = kTangencyGapMm / (radius * kRadiansPerDegree);
-                return farthest[k] <= most && std::abs(places[0][k] - end) <= most;
-            };
-            ends[0] = ends[0] || is_at(0, reach.first, radius_around);
-            ends[1] = ends[1] || is_at(0, reach.last, radius_around);
-            ends[2] = ends[2] || is_at(1, reach.low, radius_along);
-            ends[3] = ends[3] || is_at(1, reach.high, radius_along);
+    for (const EdgeUse& use : uses_of(face)) {
+        const Edge& edge = part.edges[use.edge];
+        const Track track = track_of(part, edge);
+        std::array<double, 2> farthest{};
+        std::array<std::array<double, 2>, 5> places{};
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            places[i] = place_of(track.at(0.25 * static_cast<double>(i)));
+            for (std::size_t k = 0; k < 2; ++k)
+                farthest[k] = std::max(farthest[k], std::abs(places[i][k] - places[0][k]));
         }
+        const auto is_at = [&](std::size_t k, double end, double radius) {
+            const double most = kTangencyGapMm / (radius * kRadiansPerDegree);
+            return farthest[k] <= most && std::abs(places[0][k] - end) <= most;
+        };
+        ends[0] = ends[0] || is_at(0, reach.first, radius_around);
+        ends[1] = ends[1] || is_at(0, reach.last, radius_around);
+        ends[2] = ends[2] || is_at(1, reach.low, radius_along);
+        ends[3] = ends[3] || is_at(1, reach.high, radius_along);
     }
     return {ends[0] ? reach.first : reach.first - kBeyond,
             ends[1] ? reach.last : reach.last + kBeyond, ends[2] ? reach.low : reach.low - kBeyond,
@@ -143,14 +142,12 @@ Patch patch_of_dome(const Part& part, const Face& face, const Dome& dome) {
 // True if a level circle is at `degrees`, so that the patch may end there. Readers know the
 // parameters of edges on the end of a patch without a search.
 bool ends_level(const Part& part, const Face& face, const Coil& coil, double degrees) {
-    for (const Loop& loop : face.loops) {
-        for (const EdgeUse& use : loop) {
-            const Edge& edge = part.edges[use.edge];
-            const auto* circle = std::get_if<Circle>(&edge.curve);
-            if (!circle || std::abs(dot(circle->axis, coil.axis)) < 1.0 - kRounding) continue;
-            const double turn = place_at_height(coil, part.vertices[edge.from]).turn;
-            if (std::abs(turn / kRadiansPerDegree - degrees) < kRounding) return true;
-        }
+    for (const EdgeUse& use : uses_of(face)) {
+        const Edge& edge = part.edges[use.edge];
+        const auto* circle = std::get_if<Circle>(&edge.curve);
+        if (!circle || std::abs(dot(circle->axis, coil.axis)) < 1.0 - kRounding) continue;
+        const double turn = place_at_height(coil, part.vertices[edge.from]).turn;
+        if (std::abs(turn / kRadiansPerDegree - degrees) < kRounding) return true;
     }
     return false;
 }
