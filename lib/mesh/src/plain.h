@@ -28,9 +28,8 @@ inline constexpr double kMinNormalCosine = 0.9659;
 std::optional<Simplified> plain_boundary(const cda::Boundary& boundary, double share_mm,
                                          const Provenance* lines);
 
-/// Simplifies any boundary as simplify() promises, or without `has_mesh` as join_faces() does. Tests
-/// compare plain_boundary() with the result.
-/// Requires: at least one face.
+/// Simplifies any boundary as simplify() promises, or without `has_mesh` as join_faces() does.
+/// Tests compare plain_boundary() with the result. Requires: at least one face.
 Simplified simplify_any(const cda::Boundary& boundary, double tolerance_mm, const Provenance* lines,
                         bool has_mesh = true);
 
