@@ -14,10 +14,9 @@
 namespace ncsim::simulation {
 
 /// Returns the solid of the boundary of `simulation`. Facets are first joined within
-/// `tolerance_mm`, as by mesh::join_faces(). After `most_work` units of work (brep::recognise()), all faces
-/// that fail become facets at once.
-/// Requires: `simulation` kept its boundary and its cuts.
-/// Cost: one pass over the motions of the program, for the motions that left faces.
+/// `tolerance_mm`, as by mesh::join_faces(). After `most_work` units of work (brep::recognise()),
+/// all faces that fail become facets at once. Requires: `simulation` kept its boundary and its
+/// cuts. Cost: one pass over the motions of the program, for the motions that left faces.
 brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulation& simulation,
                           double tolerance_mm, std::uint64_t most_work = brep::kUnlimitedWork);
 
