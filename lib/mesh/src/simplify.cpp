@@ -441,7 +441,8 @@ Simplified simplify(const cda::Boundary& boundary, double tolerance_mm, const Pr
 
 JoinedFaces join_faces(const cda::Boundary& boundary, double tolerance_mm,
                        const Provenance* lines) {
-    return simplify(boundary, tolerance_mm, lines, false);
+    Simplified faces = simplify(boundary, tolerance_mm, lines, false);
+    return {std::move(faces.boundary), std::move(faces.origins)};
 }
 
 Simplified simplify_any(const cda::Boundary& boundary, double tolerance_mm, const Provenance* lines,
