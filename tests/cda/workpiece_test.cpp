@@ -210,6 +210,46 @@ TYPED_TEST(Workpiece, SolidsThatTouchInACornerAreTwoManifolds) {
     expect_volume_and_area(part, 6.0, 24.0);
 }
 
+// Returns what the planes leave of the block, which is 20 × 20 × 10 mm.
+Cell cone(const std::vector<Plane>& planes, Origin origin) {
+    Cell cell = mm_box(0, 0, 0, 20, 20, 10);
+    cell.origin = origin;
+    cell.planes = planes;
+    return cell;
+}
+
+// One motion leaves a floor on both sides of an edge that passes its corner: a wedge of floor
+// touches the edge from outside, a notch from inside.
+TYPED_TEST(Workpiece, AFloorTouchesItsOwnEdgeInACornerFromBothSides) {
+    TypeParam part(mm_box(0, 0, 0, 20, 20, 10), kLattice);
+    part.subtract(
+        cone({{0, 0, -1, -500'000}, {2, -1, -1, 500'000}, {-2, -1, -1, -3'500'000}}, Origin{1}));
+    part.subtract(cone({{0, 0, -1, -500'000}, {0, 1, -1, 500'000}}, Origin{1}));
+    part.subtract(cone({{2, 1, -2, 2'000'000}, {-2, 1, -2, -2'000'000}}, Origin{2}));
+    expect_sound(part);
+}
+
+// Tools that turn in their tip leave cells with many planes through one lattice point.
+TYPED_TEST(Workpiece, CellsOfOneMotionHaveAnyPlanesThroughOnePoint) {
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        TypeParam part(mm_box(0, 0, 0, 20, 20, 10), kLattice);
+        const std::int64_t cells = random.between(3, 5);
+        for (std::int64_t i = 0; i < cells; ++i) {
+            std::vector<Plane> planes{{0, 0, -1, -500'000}};
+            const std::int64_t count = random.between(1, 3);
+            for (std::int64_t k = 0; k < count; ++k) {
+                const std::int64_t x = random.between(-2, 2), y = random.between(-2, 2);
+                const Plane plane = canonical(x, y, -1, 1'000'000 * (x + y) - 500'000);
+                if (std::ranges::find(planes, plane) == planes.end()) planes.push_back(plane);
+            }
+            part.subtract(cone(planes, Origin{static_cast<std::uint32_t>(random.between(1, 2))}));
+        }
+        ASSERT_NO_THROW(expect_sound(part));
+    }
+}
+
 TYPED_TEST(Workpiece, DoesNotDependOnTheOrderOfCuts) {
     Random random(31);
     std::vector<Cell> cuts;

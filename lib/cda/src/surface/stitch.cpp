@@ -141,9 +141,8 @@ private:
         return h.forward ? d : -d;
     }
 
-    // Step 6: links half-edges of each owner. If several edges of an owner leave a point, the next
-    // edge is the first edge clockwise from the reversed incoming edge, because the wedge between
-    // the two edges belongs to the face.
+    // Step 6: links half-edges of each owner. If several edges of an owner leave a point, they are
+    // linked by link_pinched().
     void trace() {
         by_owner_ = Groups<std::uint32_t>(names_.owners().size());
         by_tail_ = Groups<std::uint32_t>(names_.points());
@@ -165,8 +164,13 @@ private:
         in_parallel(threads_, runs.tasks(), [&](std::size_t task) {
             std::size_t here = 0;
             for (std::size_t owner = runs.begin(task); owner < runs.end(task); ++owner) {
-                for (const std::uint32_t h : by_owner_.of(owner))
-                    half_edges_[h].next = next_of(half_edges_[h]);
+                std::vector<std::uint32_t> pinched;
+                for (const std::uint32_t h : by_owner_.of(owner)) {
+                    const auto leaving = leaving_head_of(half_edges_[h]);
+                    if (leaving.size() == 1) half_edges_[h].next = leaving.front();
+                    if (leaving.size() > 1) pinched.push_back(h);
+                }
+                link_pinched(pinched);
                 here += count_loops(owner);
             }
             loops += here;
@@ -175,31 +179,71 @@ private:
         by_tail_ = Groups<std::uint32_t>(0);
         done_.assign(half_edges_.size(), false);
     }
-    // Returns the half-edge of the same owner that continues a half-edge, or kNone.
-    std::uint32_t next_of(const HalfEdge& h) const {
-        const Plane& plane = names_.owners()[h.owner].first;
-        const Direction back = -direction_of(h);
-        // Clockwise angle from `back`, in [0, 2π), as half turn and sign.
-        const auto half = [&](const Direction& v) {
-            const int s = turn_sign(back, v, plane);
-            return s < 0 ? 0 : s == 0 && dot_sign(back, v) < 0 ? 1 : 2;
-        };
-        std::uint32_t next = kNone;
+    // Returns the half-edges of the same owner that leave the head of a half-edge.
+    std::span<const std::uint32_t> leaving_head_of(const HalfEdge& h) const {
         const auto owner_of = [&](std::uint32_t k) { return half_edges_[k].owner; };
         const std::span<const std::uint32_t> here = by_tail_.of(h.head);
-        for (auto it = std::ranges::lower_bound(here, h.owner, {}, owner_of);
-             it != here.end() && owner_of(*it) == h.owner; ++it) {
-            const std::uint32_t candidate = *it;
-            if (next == kNone) {
-                next = candidate;
-                continue;
-            }
-            const Direction best = direction_of(half_edges_[next]);
-            const Direction v = direction_of(half_edges_[candidate]);
-            const int hv = half(v), hb = half(best);
-            if (hv < hb || (hv == hb && turn_sign(v, best, plane) < 0)) next = candidate;
+        return {std::ranges::lower_bound(here, h.owner, {}, owner_of),
+                std::ranges::upper_bound(here, h.owner, {}, owner_of)};
+    }
+
+    // Links half-edges of one owner at points that several of its edges leave.
+    void link_pinched(std::vector<std::uint32_t>& arriving) {
+        const auto head_of = [&](std::uint32_t h) { return half_edges_[h].head; };
+        std::ranges::stable_sort(arriving, {}, head_of);
+        for (auto first = arriving.begin(); first != arriving.end();) {
+            const auto last =
+                std::ranges::upper_bound(first, arriving.end(), head_of(*first), {}, head_of);
+            link_at_point({first, last}, leaving_head_of(half_edges_[*first]));
+            first = last;
         }
-        return next;
+    }
+
+    // Links half-edges of one owner that meet in a point. Clockwise from a reversed arriving edge
+    // is a wedge of the face, up to a leaving edge. Wedges may be nested: an edge that passes the
+    // point, on the way between two other points, separates them. So arriving and leaving edges
+    // match like parentheses around the point.
+    void link_at_point(std::span<const std::uint32_t> arriving,
+                       std::span<const std::uint32_t> leaving) {
+        const Plane& plane = names_.owners()[half_edges_[arriving[0]].owner].first;
+        struct End {
+            std::uint32_t half_edge;
+            bool is_arriving;
+            Direction away;
+        };
+        std::vector<End> ends;
+        ends.reserve(arriving.size() + leaving.size());
+        for (const std::uint32_t h : arriving)
+            ends.push_back({h, true, -direction_of(half_edges_[h])});
+        for (const std::uint32_t h : leaving)
+            ends.push_back({h, false, direction_of(half_edges_[h])});
+        // Clockwise angle from the first end, in (0, 2π], as half turn and sign. Of two ends in one
+        // direction the leaving edge comes first: the face does not lie between them.
+        const Direction zero = ends[0].away;
+        const auto half = [&](const Direction& v) {
+            const int s = turn_sign(zero, v, plane);
+            return s < 0 ? 0 : s == 0 && dot_sign(zero, v) < 0 ? 1 : 2;
+        };
+        std::sort(ends.begin() + 1, ends.end(), [&](const End& a, const End& b) {
+            const int ha = half(a.away), hb = half(b.away);
+            if (ha != hb) return ha < hb;
+            const int turn = turn_sign(a.away, b.away, plane);
+            return turn != 0 ? turn < 0 : b.is_arriving && !a.is_arriving;
+        });
+        // Twice around: the partners of the last arriving edges are the first leaving edges.
+        std::vector<std::uint32_t> open;
+        std::vector<bool> is_linked(ends.size(), false);
+        for (std::size_t i = 0; i < 2 * ends.size(); ++i) {
+            const std::size_t e = i % ends.size();
+            if (is_linked[e]) continue;
+            if (ends[e].is_arriving) {
+                if (i == e) open.push_back(ends[e].half_edge);
+            } else if (!open.empty()) {
+                half_edges_[open.back()].next = ends[e].half_edge;
+                open.pop_back();
+                is_linked[e] = true;
+            }
+        }
     }
 
     std::size_t count_loops(std::size_t owner) {
