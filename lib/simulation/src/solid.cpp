@@ -84,13 +84,13 @@ public:
 
     // Limit for recognise(). Solids without facets need less.
     std::uint64_t most_of_recognition() const {
-        return is_limited_ ? std::max(kLeast, plain_) : brep::kUnlimitedWork;
+        return is_limited_ ? std::max(2 * kLeast, plain_ + plain_ / 4) : brep::kUnlimitedWork;
     }
 
     void add(std::uint64_t work) { used_ += work; }
 
-    // Decides by the first cut whether finer cuts are worth more than kLeast: few facets fail, and
-    // many of the kept facets do. The rest fits no surface, or is kept with its neighbours.
+    // Decides by the first cut whether finer cuts are worth more: few facets fail, and many of the
+    // kept facets do. The rest fits no surface, or is kept with its neighbours.
     void judge_first(const brep::Recognised& solid, const Simulation& simulation) {
         constexpr std::size_t kFew = 8;
         is_promising_ = kFew * solid.facets_demoted <= simulation.boundary->faces.size() &&
@@ -105,7 +105,9 @@ public:
         const double growth = 1.0 / std::sqrt(std::sqrt(cut.of_tools * cut.of_arcs));
         const auto next = static_cast<std::uint64_t>(growth * static_cast<double>(plain_));
         const std::uint64_t times = cut.of_arcs == 1.0 ? kTimesOfToolsAlone : kTimes;
-        const std::uint64_t most = is_promising_ ? std::max(4 * kLeast, times * plain_) : kLeast;
+        // A single cut of the tools fits into the budget of other parts.
+        const std::uint64_t most = is_promising_ ? std::max(4 * kLeast, times * plain_)
+                                                 : std::max(kLeast, kTimes * plain_ + plain_ / 8);
         return used_ + next <= most;
     }
 

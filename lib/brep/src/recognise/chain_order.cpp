@@ -83,6 +83,11 @@ bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
         const auto is_at = [&](const Vertex& v) { return norm(v.at - *bend) <= kReaderMm; };
         if (bend && !is_at(choice.near) && !is_at(choice.far) && !is_bend_elsewhere(choice.far))
             continue;
+        // With four of them each corner has one that is not beside the edge.
+        if (count == 4 &&
+            is_past_tangency({b.right, a.left}, a.right, c.right, choice.near.at, choice.far.at)
+                .value_or(false))
+            continue;
         const auto goes_on = [&](std::uint32_t g, Vec3 in, Vec3 between, Vec3 on) {
             const Vec3 n = outward(groups_.surface_of(g), before.at);
             const auto turn = [&](Vec3 u, Vec3 v) {
@@ -313,6 +318,68 @@ void Chains::move_to_wall(std::uint32_t number) {
             return;
         }
     }
+}
+
+// Facets between poses of a tool that turns may be needles. What meets in a corner may do so in two
+// of the polyhedron then: it is one. And where faces meet in one curve, what is between them comes
+// to points on the way, and has nothing in it: the shortest way on ends there.
+void Chains::join_same_corners() {
+    for (const Chain& chain : chains_) {
+        const bool is_same = chain.from != chain.to && !chain.is_closed &&
+                             is_of_turning_tools(vertices_[chain.from]) &&
+                             vertices_[chain.to].groups == vertices_[chain.from].groups &&
+                             norm(vertices_[chain.to].at - vertices_[chain.from].at) <= kReaderMm;
+        if (is_same) join(chain.to, chain.from);
+    }
+    // At most so many: what vanishes is still counted.
+    std::vector<int> ends(vertices_.size(), 0);
+    for (const Chain& chain : chains_) {
+        ++ends[chain.from];
+        ++ends[chain.to];
+    }
+    for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+        // Two ends are a corner of an edge that only goes on there.
+        if (ends[v] <= 2 || vertices_[v].groups.size() != 2 || !is_of_turning_tools(vertices_[v]))
+            continue;
+        if (const auto beyond = close_pinch(v)) ends[*beyond] += ends[v];
+    }
+}
+
+// All that ends in the one ends in the other one.
+void Chains::join(std::uint32_t removed, std::uint32_t kept) {
+    for (Chain& chain : chains_) {
+        const bool was_point = chain.from == chain.to;
+        if (chain.from == removed) chain.from = kept;
+        if (chain.to == removed) chain.to = kept;
+        if (chain.from == chain.to && !was_point) chain.has_vanished = true;
+    }
+}
+
+std::optional<std::uint32_t> Chains::close_pinch(std::uint32_t v) {
+    const auto length = [&](const Chain& chain) {
+        double sum = 0.0;
+        for (const std::uint32_t h : chain.edges)
+            sum += mesh_.length(h);
+        return sum;
+    };
+    const Chain* shortest = nullptr;
+    int ends = 0;
+    for (const Chain& chain : chains_) {
+        if (chain.is_closed || chain.has_vanished || (chain.from != v && chain.to != v)) continue;
+        ends += chain.from == chain.to ? 2 : 1;
+        if (chain.from != chain.to && (!shortest || length(chain) < length(*shortest)))
+            shortest = &chain;
+    }
+    if (ends <= 2 || !shortest) return std::nullopt;
+    const std::uint32_t beyond = shortest->from == v ? shortest->to : shortest->from;
+    join(v, beyond);
+    for (Chain& chain : chains_) {
+        // Around a needle.
+        if (chain.from == beyond && chain.to == beyond && !chain.is_closed &&
+            length(chain) < reach({chain.left, chain.right}))
+            chain.has_vanished = true;
+    }
+    return beyond;
 }
 
 // The chains that end in a vertex, of three at most.

@@ -205,6 +205,7 @@ void Chains::solve() {
     if (!failures_.empty()) return;
     widen(narrow);
     if (!failures_.empty()) return;
+    join_same_corners();
     // One may turn another one round.
     for (int pass = 0; pass < 4; ++pass) {
         if (!flip_reversed()) break;
@@ -419,6 +420,15 @@ void Chains::solve_chain(Chain& chain) {
     chain.has_failed = from.has_failed || to.has_failed;
     if (chain.has_failed) return;
     const bool is_loop = chain.from == chain.to;
+    if (is_loop) {
+        // Around facets that are needles.
+        const std::vector<Vec3> points = points_of(chain);
+        const auto is_there = [&](Vec3 p) { return norm(p - points.front()) < kFlat; };
+        if (std::ranges::all_of(points, is_there)) {
+            chain.has_vanished = true;
+            return;
+        }
+    }
     if (!is_loop && norm(to.at - from.at) <= kReaderMm) {
         // A circle that ends where it begins, or nothing?
         if (norm(middle_of(chain) - from.at) < reach({chain.left, chain.right})) {

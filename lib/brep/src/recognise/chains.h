@@ -122,6 +122,9 @@ private:
     };
     std::optional<Crossing> crossing_at(std::uint32_t number, const ChainsAt& at) const;
     bool are_walls(const std::vector<std::uint32_t>& groups) const;
+    void join_same_corners();
+    void join(std::uint32_t removed, std::uint32_t kept);
+    std::optional<std::uint32_t> close_pinch(std::uint32_t v);
     ChainsAt chains_at() const;
     bool flip_reversed();
     std::optional<std::array<std::uint32_t, 2>> tangent_sides(const Vertex& v) const;
