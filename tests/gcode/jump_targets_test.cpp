@@ -4,7 +4,8 @@
 // other programs, have no effect.
 #include "ncsim/gcode/file_programs.h"
 #include "ncsim/gcode/interpreter.h"
-#include "ncsim/gcode/print.h"
+
+#include "gcode/outcome.h"
 
 #include <gtest/gtest.h>
 
@@ -18,29 +19,8 @@
 namespace ncsim::gcode {
 namespace {
 
-struct Outcome {
-    std::string moves;  // Ends of the moves, a line each.
-    std::vector<std::string> codes;
-    bool says(std::string_view code) const { return std::ranges::find(codes, code) != codes.end(); }
-};
-
-Outcome run(const std::string& text, Dialect dialect) {
-    InterpreterOptions options;
-    options.dialect = dialect;
-    Outcome outcome;
-    const Interpretation result = interpret({"a.nc", text}, options, [&](const Motion& motion) {
-        const Position* end = end_of(motion);
-        if (!end) return;
-        for (const Length value : {end->x, end->y, end->z}) {
-            print_number(outcome.moves, value.mm());
-            outcome.moves += ' ';
-        }
-        outcome.moves += '\n';
-    });
-    for (const Diagnostic& d : result.diagnostics)
-        outcome.codes.push_back(d.code);
-    return outcome;
-}
+using outcome::Outcome;
+using outcome::run;
 
 /// Programs with jumps: first the main program, then the subprograms in any order.
 using Programs = std::vector<std::string>;

@@ -4,7 +4,8 @@
 // makes the motions of a call by number.
 #include "ncsim/gcode/file_programs.h"
 #include "ncsim/gcode/interpreter.h"
-#include "ncsim/gcode/print.h"
+
+#include "gcode/outcome.h"
 
 #include <gtest/gtest.h>
 
@@ -18,36 +19,9 @@
 namespace ncsim::gcode {
 namespace {
 
-using Files = std::map<std::string, std::string, std::less<>>;
-
-struct Outcome {
-    std::string moves;
-    std::vector<std::string> codes;
-    bool says(std::string_view code) const { return std::ranges::find(codes, code) != codes.end(); }
-};
-
-Outcome run(const std::string& text, Dialect dialect, const Files& files = {}) {
-    InterpreterOptions options;
-    options.dialect = dialect;
-    options.read_file = [&](std::string_view name) -> std::optional<SourceFile> {
-        const auto found = files.find(name);
-        if (found == files.end()) return std::nullopt;
-        return SourceFile{found->first, found->second};
-    };
-    Outcome outcome;
-    const Interpretation result = interpret({"a.nc", text}, options, [&](const Motion& motion) {
-        const Position* end = end_of(motion);
-        if (!end) return;
-        for (const Length value : {end->x, end->y, end->z}) {
-            print_number(outcome.moves, value.mm());
-            outcome.moves += ' ';
-        }
-        outcome.moves += '\n';
-    });
-    for (const Diagnostic& d : result.diagnostics)
-        outcome.codes.push_back(d.code);
-    return outcome;
-}
+using outcome::Files;
+using outcome::Outcome;
+using outcome::run;
 
 const std::string kHead = "O1\nG21 G90 F100\nG1 X0 Y0 Z0\n";
 const std::string kBody = "G91 G1 X1\nY1\nG90\nM99\n";

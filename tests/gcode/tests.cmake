@@ -8,6 +8,7 @@ ncsim_add_test(gcode
     cycle_limits_test.cpp
     cycle_values_test.cpp
     compensation_corners_test.cpp
+    controls_cycles_test.cpp
     controls_test.cpp
     corpus_test.cpp
     damaged_programs_test.cpp
