@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The loops of chains around each group.
+// Loops of chains around each group.
 #include "recognise/chains.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace ncsim::brep {
 
 namespace {
 
-// A use of a chain in a loop.
+// Use of a chain in a loop.
 struct ChainUse {
     std::uint32_t chain;
     bool is_forward;
@@ -19,7 +19,7 @@ struct ChainUse {
 
 }  // namespace
 
-// Out of the loops that had it.
+// Removes the chain from the loops of the groups beside its half-edges.
 void Chains::remove_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all) const {
     const std::uint32_t h = chains_[number].edges.front();
     for (const std::uint32_t g : {groups_.group_at(h), groups_.opposite_group(h)}) {
@@ -29,7 +29,8 @@ void Chains::remove_flipped(std::uint32_t number, std::vector<std::vector<Loop>>
     }
 }
 
-// Into those that it is between now.
+// Inserts the chain into loops of the groups that it separates. Adds uses for which no gap between
+// two ends exists to `left`.
 void Chains::insert_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all,
                             std::vector<PendingUse>& left) const {
     const Chain& chain = chains_[number];
@@ -49,7 +50,8 @@ void Chains::insert_flipped(std::uint32_t number, std::vector<std::vector<Loop>>
     }
 }
 
-// Into a gap: that has both its ends, or one of them, and then others follow.
+// Inserts the use into a gap of a loop. With `has_both`, the chain must fill the gap; otherwise one
+// of its ends must fit, and further chains fill the rest. Returns false if there is no such gap.
 bool Chains::insert_use(const PendingUse& one, std::vector<Loop>& loops, bool has_both) const {
     const auto begin_of = [&](const EdgeUse& use) {
         return use.is_forward ? chains_[use.edge].from : chains_[use.edge].to;
@@ -106,7 +108,7 @@ std::vector<std::vector<Loop>> Chains::loops() const {
                 insert_flipped(c, all, left);
         }
     }
-    // One after the other.
+    // An inserted use makes a place for the next one.
     while (std::erase_if(left, [&](const PendingUse& one) {
                return insert_use(one, all[one.group], false);
            }) > 0) {

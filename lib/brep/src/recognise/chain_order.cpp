@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where facets are larger than what is between corners, the polyhedron has these in another order,
-// or one for two: chains that go between other faces than in the polyhedron.
+// Corrections of the order of corners. Where facets are larger than the distances between true
+// corners, the polyhedron has the corners in another order, or one corner instead of two, so chains
+// separate other groups than in the polyhedron.
 #include "ncsim/base/angles.h"
 
 #include "geometry/contact.h"
@@ -23,7 +24,8 @@
 
 namespace ncsim::brep {
 
-// Where a boundary goes on from its corner, of the surfaces beside it; unit.
+// Returns the unit direction in which the boundary `h` leaves its corner, from the surfaces on both
+// sides.
 Vec3 Chains::direction_of(std::uint32_t h) const {
     const Vec3 p = mesh_.point(mesh_.edges()[h].from), step = mesh_.point(mesh_.to(h)) - p;
     const Vec3 along = cross(outward(groups_.surface_of(groups_.group_at(h)), p),
@@ -32,7 +34,7 @@ Vec3 Chains::direction_of(std::uint32_t h) const {
     return normalized(dot(along, step) < 0.0 ? -along : along);
 }
 
-// The boundaries that meet in a vertex, clockwise, as they go out from it.
+// Returns the boundaries that meet in a vertex, clockwise, leading outwards.
 std::vector<Chains::Spoke> Chains::spokes_at(const Vertex& v) const {
     std::vector<Spoke> spokes;
     if (v.edge == kNone) return spokes;
@@ -48,13 +50,14 @@ std::vector<Chains::Spoke> Chains::spokes_at(const Vertex& v) const {
     return spokes;
 }
 
-// Where more than three faces have a corner in common that their surfaces have not, two boundaries
-// go on from one corner and the others from another one, and between both is an edge. Which ones is
-// told by the faces beside that edge: their loops turn as much as they did in the one corner.
+// Divides a vertex of more than three faces whose surfaces have no common point: two consecutive
+// boundaries keep the vertex, the others get a new one, and a new chain connects both. Of all
+// choices for which the loops of the faces next to the new chain turn as much as before, the
+// shortest new chain is taken. Returns false if there is none.
 bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
     const Vertex before = vertices_[number];
     const std::size_t count = spokes.size();
-    // Near the tip of a cone, corners are elsewhere too easily.
+    // Near the apex of a cone, wrong corners are found too easily.
     const bool may_not = std::ranges::any_of(before.groups, [&](std::uint32_t g) {
         return groups_.is_facet(g) || std::holds_alternative<Cone>(groups_.form_of(g));
     });
@@ -79,11 +82,11 @@ bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
         choice.length = norm(step);
         if (choice.length <= 10.0 * kPointError || (best && best->length <= choice.length))
             continue;
-        // The one or the other is the corner of a bend, or is going to have it.
+        // One of both vertices must be the corner of a bend, now or later.
         const auto is_at = [&](const Vertex& v) { return norm(v.at - *bend) <= kReaderMm; };
         if (bend && !is_at(choice.near) && !is_at(choice.far) && !is_bend_elsewhere(choice.far))
             continue;
-        // With four of them each corner has one that is not beside the edge.
+        // Of four faces, each corner has one that is not adjacent to the new chain.
         if (count == 4 &&
             is_past_tangency({b.right, a.left}, a.right, c.right, choice.near.at, choice.far.at)
                 .value_or(false))
@@ -108,7 +111,7 @@ bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
         rest.push_back(at(i));
     }
     const std::uint32_t left = at(best->first + 1).right, right = at(best->first).left;
-    // From the other corner it is on the other side.
+    // Seen from the new vertex, left and right are exchanged.
     rest.push_back({static_cast<std::uint32_t>(chains_.size()), false, right, left,
                     normalized(best->near.at - best->far.at)});
     add_chain(number, other, left, right);
@@ -118,14 +121,15 @@ bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
     return true;
 }
 
-// Nearer than a facet is wide.
+// True if the corner of a bend is next to the vertex, nearer than a facet is wide.
 bool Chains::is_bend_elsewhere(const Vertex& v) const {
     const auto corner = bend_at(v);
     const double deviation = corner ? norm(*corner - v.at) : 0.0;
     return deviation > kReaderMm && deviation < 0.25 * reach(v.groups);
 }
 
-// On the way of the two ramps from there: a point of their edge, and none that the others have.
+// True if the corner of a bend lies ahead on a boundary between two ramps: a point of their edge,
+// but a corner of no other faces.
 bool Chains::is_bend_ahead(const Vertex& v, const std::vector<Spoke>& spokes) const {
     return std::ranges::any_of(spokes, [&](const Spoke& spoke) {
         const auto corner =
@@ -145,8 +149,9 @@ void Chains::add_chain(std::uint32_t from, std::uint32_t to, std::uint32_t left,
     chains_.push_back(std::move(made));
 }
 
-// Does a third face cut the chain off before its corner, on the way to `end`? Then it is there that
-// the three meet, in the ellipse of the other end, and not where the other ellipse meets the face.
+// True if a third face cuts the chain off between the vertex `other` and the corner of the bend,
+// `corner`. Then moves the vertex `end` to the point in which the three faces meet, on the ellipse
+// on the side of `other`.
 bool Chains::ends_before(const Chain& chain, std::uint32_t other, std::uint32_t end, Vec3 corner) {
     Vertex& v = vertices_[end];
     const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
@@ -210,8 +215,9 @@ void Chains::divide(std::uint32_t number, std::size_t i, Vec3 at) {
     bend(added);
 }
 
-// Where the edge of two ramps has a corner that is nearer to its end than facets are wide; and
-// where that of two pipes passes from the one ellipse in which they meet to the other.
+// Divides the edge of two ramps at the corner of their bend if the corner is nearer to an end of
+// the edge than facets are wide, and the edge of two pipes where it changes from one of their two
+// ellipses to the other.
 void Chains::bend(std::uint32_t number) {
     const Chain& chain = chains_[number];
     const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
@@ -224,7 +230,7 @@ void Chains::bend(std::uint32_t number) {
         const auto hinge = hinge_of(groups_.form_of(chain.left), groups_.form_of(chain.right),
                                     from.at, past, to.at);
         if (!hinge || chain.is_flipped) return;
-        // As a rule the curve passes there as if it were nothing.
+        // Most curves pass the point smoothly.
         std::vector<Vec3> points = points_of(chain);
         points.front() = from.at;
         points.back() = to.at;
@@ -236,11 +242,11 @@ void Chains::bend(std::uint32_t number) {
     if (ends_before(chain, chain.from, chain.to, *corner) ||
         ends_before(chain, chain.to, chain.from, *corner))
         return;
-    // The piece of the circle is the short one.
+    // The corner belongs to the nearer end.
     const bool is_at_start = norm(*corner - from.at) < norm(*corner - to.at);
     if (const auto* pipe = std::get_if<Cylinder>(&groups_.form_of(chain.left))) {
-        // Where pipes bend, a ball left the tip of a lune, which is nearer to the middle of the
-        // bend than the ellipse in its place.
+        // A ball leaves the tip of a lune at a bend of two pipes. The tip is nearer to the middle
+        // of the bend than the ellipse that takes its place.
         const Vec3 middle = *corner - radial_vector(pipe->origin, pipe->axis, *corner);
         const double lower = norm((is_at_start ? from.at : to.at) - middle) - pipe->radius;
         const double near = reach({chain.left, chain.right});
@@ -254,7 +260,8 @@ void Chains::bend(std::uint32_t number) {
     split_at(number, *corner, is_at_start);
 }
 
-// With another chain between the corner and that end.
+// Inserts a vertex at `corner` into the chain, and a new chain from the vertex to the start
+// (`is_at_start`) or the end.
 void Chains::split_at(std::uint32_t number, Vec3 corner, bool is_at_start) {
     const Chain chain = chains_[number];
     Vertex between{corner, {chain.left, chain.right}};
@@ -272,10 +279,11 @@ void Chains::split_at(std::uint32_t number, Vec3 corner, bool is_at_start) {
     chains_.back().is_before = is_at_start;
 }
 
-// Beside the circle in which two ramps meet may be the wall that the tool left where it stood.
-// Where facets of that are large, its edge ends where that of the ramps does. Then the circle, from
-// there to the corner of the bend, is an edge of the wall and of one of the ramps, and the edge of
-// the other one and the wall starts in the corner.
+// Moves the end of a chain of a wall to the corner of a bend. Two ramps meet in a circle; the wall
+// that the tool left where it stood may run along this circle. If the wall's facets are large, the
+// edge of wall and ramp ends where the edge of the two ramps ends. Then the circle up to the corner
+// is an edge of the wall and one ramp, and the edge of the wall and the other ramp begins in the
+// corner.
 void Chains::move_to_wall(std::uint32_t number) {
     Chain& bent = chains_[number];
     if (bent.is_closed || !std::holds_alternative<Extrusion>(groups_.form_of(bent.left)) ||
@@ -320,9 +328,10 @@ void Chains::move_to_wall(std::uint32_t number) {
     }
 }
 
-// Facets between poses of a tool that turns may be needles. What meets in a corner may do so in two
-// of the polyhedron then: it is one. And where faces meet in one curve, what is between them comes
-// to points on the way, and has nothing in it: the shortest way on ends there.
+// Merges vertices with the same faces at the same point, and closes pinches. Facets between two
+// poses of a turning tool may be needles, so the polyhedron may have two corners in place of one.
+// Where faces meet in a single curve, what lies between them is reduced to points on the curve
+// without area.
 void Chains::join_same_corners() {
     for (const Chain& chain : chains_) {
         const bool is_same = chain.from != chain.to && !chain.is_closed &&
@@ -331,21 +340,21 @@ void Chains::join_same_corners() {
                              norm(vertices_[chain.to].at - vertices_[chain.from].at) <= kReaderMm;
         if (is_same) join(chain.to, chain.from);
     }
-    // At most so many: what vanishes is still counted.
+    // An upper bound, because vanished chains still count.
     std::vector<int> ends(vertices_.size(), 0);
     for (const Chain& chain : chains_) {
         ++ends[chain.from];
         ++ends[chain.to];
     }
     for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
-        // Two ends are a corner of an edge that only goes on there.
+        // A vertex with two ends only divides an edge.
         if (ends[v] <= 2 || vertices_[v].groups.size() != 2 || !is_of_turning_tools(vertices_[v]))
             continue;
         if (const auto beyond = close_pinch(v)) ends[*beyond] += ends[v];
     }
 }
 
-// All that ends in the one ends in the other one.
+// Moves all ends at `removed` to `kept`.
 void Chains::join(std::uint32_t removed, std::uint32_t kept) {
     for (Chain& chain : chains_) {
         const bool was_point = chain.from == chain.to;
@@ -374,7 +383,7 @@ std::optional<std::uint32_t> Chains::close_pinch(std::uint32_t v) {
     const std::uint32_t beyond = shortest->from == v ? shortest->to : shortest->from;
     join(v, beyond);
     for (Chain& chain : chains_) {
-        // Around a needle.
+        // A loop around a needle vanishes.
         if (chain.from == beyond && chain.to == beyond && !chain.is_closed &&
             length(chain) < reach({chain.left, chain.right}))
             chain.has_vanished = true;
@@ -382,7 +391,7 @@ std::optional<std::uint32_t> Chains::close_pinch(std::uint32_t v) {
     return beyond;
 }
 
-// The chains that end in a vertex, of three at most.
+// Returns the chains at each vertex, at most three.
 Chains::ChainsAt Chains::chains_at() const {
     ChainsAt at(vertices_.size(), {kNone, kNone, kNone});
     for (std::uint32_t c = 0; c < chains_.size(); ++c) {
@@ -395,7 +404,7 @@ Chains::ChainsAt Chains::chains_at() const {
     return at;
 }
 
-// Of three faces the two that the third one touches.
+// Returns the two of three faces that are tangent to the third, a plane; empty if there are none.
 std::optional<std::array<std::uint32_t, 2>> Chains::tangent_sides(const Vertex& v) const {
     if (v.groups.size() != 3) return std::nullopt;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -409,8 +418,9 @@ std::optional<std::array<std::uint32_t, 2>> Chains::tangent_sides(const Vertex& 
     return std::nullopt;
 }
 
-// A wall beside a move that is shorter than a facet is wide ends where the two poses of the tool
-// have facets in one plane. On the true surfaces it goes on between both, to what ends these.
+// Inserts a wall between the two faces of each vertex in `narrow` by flipping the chain between
+// them. A wall next to a move that is shorter than a facet is wide ends where both poses of the
+// tool have facets in one plane. On the true surfaces it continues between both faces.
 void Chains::widen(const std::vector<std::uint32_t>& narrow) {
     if (narrow.empty()) return;
     ChainsAt at = chains_at();
@@ -429,14 +439,13 @@ void Chains::widen(const std::vector<std::uint32_t>& narrow) {
     }
 }
 
-// Where the corners of four faces almost meet, large facets may have them in the wrong order: of
-// the chain between two of the faces, what should be its end comes first.
+// Flips chains whose ends are in reverse order: where the corners of four faces nearly coincide,
+// large facets may have them in the wrong order. Returns true if a chain was flipped.
 bool Chains::flip_reversed() {
     ChainsAt at = chains_at();
     bool any = false;
     for (std::uint32_t c = 0; c < chains_.size(); ++c) {
-        // At most three chains, one after the other, are between other faces than in the
-        // polyhedron.
+        // At most three consecutive chains are flipped.
         if (is_reversed(chains_[c])) any = flip(c, at, 3) || any;
     }
     return any;
@@ -446,7 +455,7 @@ bool Chains::is_reversed(Chain& chain) const {
     if (chain.is_closed || chain.has_vanished) return false;
     const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
     const Vec3 step = to.at - from.at;
-    // One beside it, which was flipped later, has changed its end.
+    // A chain next to it, flipped later, may have moved its end.
     if (chain.is_flipped) return dot(step, chain.direction) < 0.0;
     if (from.has_failed || to.has_failed || norm(step) <= kReaderMm) return false;
     if (from.groups.size() == 3 && to.groups.size() == 3) {
@@ -462,10 +471,11 @@ bool Chains::is_reversed(Chain& chain) const {
     return dot(step, path_direction(chain)) < 0.0;
 }
 
-// Where the profile of a tool goes from its side into its corner radius, both faces of it end.
-// Where its way bends, two such faces meet two others in one curve: each of its points is to be on
-// the right side of both places. Of a piece of that, from what is behind to what is ahead: is it
-// not? Nothing if these do not touch what is beside it.
+// True if a piece of the curve from `from` to `to`, with the faces `behind` and `ahead` beyond its
+// ends, lies on the wrong side of a tangency curve. Where the profile of a tool passes from a side
+// to a corner radius, both faces end in a tangency curve. At a bend of the path two such faces meet
+// two others in one curve, each point of which must lie on the right side of both tangency curves.
+// Empty if the faces at the ends are not tangent to `sides`.
 std::optional<bool> Chains::is_past_tangency(const std::array<std::uint32_t, 2>& sides,
                                              std::uint32_t behind, std::uint32_t ahead, Vec3 from,
                                              Vec3 to) const {
@@ -478,7 +488,7 @@ std::optional<bool> Chains::is_past_tangency(const std::array<std::uint32_t, 2>&
             const auto* one = std::get_if<Envelope>(&groups_.form_of(g));
             const auto* two = std::get_if<Envelope>(&groups_.form_of(n));
             if (!trail || !one || !two) continue;
-            // A fillet below its flank, as a rule.
+            // A fillet is usually below its flank.
             const Sweep& round = one->sweep->fillet() ? *one->sweep : *two->sweep;
             const Sweep& side = one->sweep->fillet() ? *two->sweep : *one->sweep;
             const bool is_below = round.fillet()->height <= side.flank()->height + kTangencyGapMm;
@@ -491,7 +501,8 @@ std::optional<bool> Chains::is_past_tangency(const std::array<std::uint32_t, 2>&
     return is_beyond;
 }
 
-// Nothing if it has not four different faces at its ends, or one of them is a facet.
+// Returns the faces and chains around the chain; empty unless both ends have three faces, all four
+// faces differ, and none is a facet.
 std::optional<Chains::Crossing> Chains::crossing_at(std::uint32_t number,
                                                     const ChainsAt& at) const {
     const Chain& chain = chains_[number];
@@ -537,7 +548,7 @@ std::optional<Chains::Crossing> Chains::crossing_at(std::uint32_t number,
     return crossing;
 }
 
-// Walls, each wider than it is off: what is narrower may go itself.
+// True if all groups are walls that are wider than their error. Narrower ones may vanish.
 bool Chains::are_walls(const std::vector<std::uint32_t>& groups) const {
     return std::ranges::all_of(groups, [&](std::uint32_t g) {
         const Form& form = groups_.form_of(g);
@@ -546,17 +557,18 @@ bool Chains::are_walls(const std::vector<std::uint32_t>& groups) const {
     });
 }
 
-// It is the other two that meet. With A on the left, B on the right, C behind and D ahead, the
-// chain ran from A, B, C to A, B, D; now it runs from A, C, D to B, C, D, with D on its left. Where
-// three of these do not meet there, a wall, its round end and another wall, the chain from there on
-// is flipped as well: one of them passes the other as far down as these go.
+// Flips the chain: with A on the left, B on the right, C behind and D ahead, the chain from ABC to
+// ABD becomes one from ACD to BCD with D on the left. If three of these surfaces have no common
+// point (a wall, its round end and another wall), the next chain is flipped, too, up to `most`
+// chains. Returns false, without changes, if no solution was found.
 bool Chains::flip(std::uint32_t number, ChainsAt& at, int most) {
     const std::optional<Crossing> crossing = crossing_at(number, at);
     if (!crossing) return false;
     Chain& chain = chains_[number];
     Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
     const std::uint32_t up = crossing->to_left, down = crossing->from_right;
-    // From where the polyhedron has them: corners of what does not meet may be far away.
+    // Starts at the corners of the polyhedron, because corners of surfaces that do not meet may be
+    // far away.
     const auto solved = [&](Vec3 start, std::uint32_t side,
                             const std::array<std::uint32_t, 2>& sides) {
         Vertex v{start, {side, crossing->behind, crossing->ahead}};
@@ -579,7 +591,7 @@ bool Chains::flip(std::uint32_t number, ChainsAt& at, int most) {
     const std::array<std::pair<std::uint32_t, Vertex>, 2> before{
         {{chain.from, from}, {chain.to, to}}};
     const std::array<std::array<std::uint32_t, 3>, 2> at_before{at[chain.from], at[chain.to]};
-    // Of the four chains around, one at each end changes it.
+    // One of the two chains at each end moves to the other end.
     std::ranges::replace(at[chain.to], up, kNone);
     std::ranges::replace(at[chain.from], down, up);
     *std::ranges::find(at[chain.to], kNone) = down;
@@ -596,7 +608,7 @@ bool Chains::flip(std::uint32_t number, ChainsAt& at, int most) {
     chain.is_flipped = true;
     chain.direction = is_whole ? to.at - from.at : Vec3{};
     if (is_whole) return true;
-    // What touches goes on touching.
+    // Chains between tangent surfaces stay.
     for (const std::uint32_t e : std::array(at[nowhere])) {
         if (e == number || e == kNone ||
             tangency_surface(groups_.form_of(chains_[e].left), groups_.form_of(chains_[e].right)))
@@ -612,7 +624,7 @@ bool Chains::flip(std::uint32_t number, ChainsAt& at, int most) {
     return false;
 }
 
-// Where a chain goes in the polyhedron.
+// Returns the vector from start to end of the chain in the polyhedron.
 Vec3 Chains::path_direction(const Chain& chain) const {
     return mesh_.point(mesh_.to(chain.edges.back())) -
            mesh_.point(mesh_.edges()[chain.edges.front()].from);

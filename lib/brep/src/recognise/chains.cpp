@@ -24,11 +24,11 @@ namespace ncsim::brep {
 
 namespace {
 
-constexpr int kTip = -1;  // no number of edges
+constexpr int kTip = -1;  // in place of a number of edges
 
-// Where two forms touch in a circle, corners may be on both within what programs round, but off the
-// circle by far more: as near as that are the forms to each other there. The curve goes from the
-// one corner to the other beside the circle.
+// Returns the curve from `from` to `to` along the circle in which two surfaces are tangent. Such
+// corners lie on both surfaces within the rounding of programs, but off the circle by much more,
+// because the surfaces are that close to each other there.
 std::optional<Spline> spline_along_circle(const Form& a, const Form& b, Vec3 from, Vec3 to,
                                           std::vector<Vec3> points) {
     const auto touching = tangency_surface(a, b);
@@ -40,8 +40,8 @@ std::optional<Spline> spline_along_circle(const Form& a, const Form& b, Vec3 fro
     return spline;
 }
 
-// Returns the arc of `circle` between corners that miss it. The circle of a cylinder has its
-// radius.
+// Returns the arc of `circle` between corners that are off the circle. The circle on a cylinder has
+// the cylinder's radius.
 Spline arc_between(Circle circle, const Form& a, const Form& b, Vec3 from, Vec3 to) {
     for (const Form* form : {&a, &b}) {
         const auto* wall = std::get_if<Cylinder>(form);
@@ -50,7 +50,7 @@ Spline arc_between(Circle circle, const Form& a, const Form& b, Vec3 from, Vec3 
     return arc_spline(circle, from, to);
 }
 
-// Is it in since the last trace?
+// Adds `key` to `all`. True if the key was added since the last trace.
 template <typename Key>
 bool is_new(const Key& key, std::set<Key>& all, std::set<Key>& now) {
     if (all.insert(key).second) now.insert(key);
@@ -78,7 +78,7 @@ void Chains::trace() {
         if (degree[v] == 2 && (is_tip(h) || is_bend(h, degree) || is_next_to_facet(h)))
             degree[v] = kTip;
         if (degree[v] == 2) continue;
-        // What is beyond one is at the next one.
+        // The group on the other side is that of the next boundary.
         Vertex& vertex = vertices_[vertex_at(v)];
         vertex.edge = h;
         if (vertex.groups.empty())
@@ -124,7 +124,7 @@ bool Chains::is_next_to_facet(std::uint32_t h) const {
     return groups_.is_facet(groups_.group_at(h)) || groups_.is_facet(groups_.opposite_group(h));
 }
 
-// Where a surface passes through the apex of a cone, their edge has a corner.
+// True if a surface passes through the apex of a cone; the edge of both has a corner there.
 bool Chains::is_tip(std::uint32_t h) const {
     const std::uint32_t one = groups_.group_at(h), other = groups_.opposite_group(h);
     for (const auto& [g, n] : {std::pair(one, other), std::pair(other, one)}) {
@@ -138,8 +138,8 @@ bool Chains::is_tip(std::uint32_t h) const {
     return false;
 }
 
-// Where the edge of two ramps that meet has a corner: the one of its points that is nearest to it,
-// its ends left out.
+// True if the start of `h` is the point of the edge of two ramps that is nearest to the corner of
+// their bend, without the ends of the edge.
 bool Chains::is_bend(std::uint32_t h, const std::vector<int>& degree) const {
     const std::uint32_t one = groups_.group_at(h), other = groups_.opposite_group(h);
     const Vec3 p = mesh_.point(mesh_.edges()[h].from);
@@ -174,7 +174,7 @@ std::vector<Vec3> Chains::points_of(const Chain& chain) const {
     return points;
 }
 
-// Of its points the one in the middle.
+// Returns the middle point of the chain.
 Vec3 Chains::middle_of(const Chain& chain) const {
     if (chain.is_flipped || chain.is_direction_fixed) return vertices_[chain.to].at;
     const std::size_t i = (chain.edges.size() + 1) / 2;
@@ -206,7 +206,7 @@ void Chains::solve() {
     widen(narrow);
     if (!failures_.empty()) return;
     join_same_corners();
-    // One may turn another one round.
+    // A flip may reverse an adjacent chain.
     for (int pass = 0; pass < 4; ++pass) {
         if (!flip_reversed()) break;
     }
@@ -227,9 +227,10 @@ void Chains::solve() {
     if (failures_.empty()) join_vanished();
 }
 
-// Where walls touch but for rounding, corners above each other are beside each other by as much:
-// readers find wires open there. All that hang together by such edges are on the line through the
-// one that misses what is around it least, if they miss that no more than others may.
+// Aligns vertices along generators of cylinders. Where walls are tangent within rounding, corners
+// above each other differ sideways by as much, and OpenCASCADE finds the wire open. All vertices
+// connected by such edges move onto the line through the vertex with the smallest miss, unless they
+// get farther from their surfaces than vertices may be.
 void Chains::align_on_generators() {
     std::vector<std::uint32_t> above(vertices_.size());
     std::iota(above.begin(), above.end(), 0U);
@@ -275,8 +276,7 @@ void Chains::align_on_generators() {
     }
 }
 
-// Where an edge between corners that are apart by rounding has vanished, all others end in one of
-// them.
+// Merges the ends of chains that vanished although their ends are farther apart than one point.
 void Chains::join_vanished() {
     std::set<std::uint32_t> moved;
     for (const Chain& chain : chains_) {
@@ -293,8 +293,8 @@ void Chains::join_vanished() {
     }
 }
 
-// In the one that is nearer to all that meets in either, but for coils: what ends on these are
-// splines, which go to where they have to, and circles and lines do not. Not off the planes.
+// Moves both ends to the end that is nearer to all adjacent surfaces, then onto the planes. Coils
+// do not count: edges on coils are splines, which can end at any point, unlike circles and lines.
 void Chains::join_ends(const Chain& chain) {
     Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
     std::vector<const Form*> forms;
@@ -318,7 +318,7 @@ void Chains::join_ends(const Chain& chain) {
     from.at = to.at = snapped(to, snapped(from, at));
 }
 
-// On the planes that a corner is to lie in.
+// Returns `p`, moved into the planes from snap_to_circle().
 Vec3 Chains::snapped(const Vertex& v, Vec3 p) const {
     if (v.edge == kNone) return p;
     const std::uint32_t corner = mesh_.edges()[v.edge].from;
@@ -397,7 +397,7 @@ std::optional<Spline> Chains::spline_of(const Chain& chain, const Form& first, c
                                         const std::vector<Vec3>& points) {
     if (chain.edges.empty()) return intersection_spline(first, second, points);
     const std::uint32_t left = groups_[chain.left].surface, right = groups_[chain.right].surface;
-    // Between the two faces themselves, or one of them and what they touch in.
+    // There are two splines of an edge: of both faces, and of one face and the tangency surface.
     const bool is_itself = &second == &groups_.form_of(chain.right);
     CachedSpline& cached = cached_splines_[2 * chain.edges.front() + (is_itself ? 0 : 1)];
     if (cached.left != left || cached.right != right || cached.points != points)
@@ -405,8 +405,8 @@ std::optional<Spline> Chains::spline_of(const Chain& chain, const Form& first, c
     return cached.spline;
 }
 
-// Is it no longer than what programs round, and was not in the polyhedron? Then there is no telling
-// which way it goes.
+// True if the chain is no longer than the rounding of programs and was not in the polyhedron, so
+// its direction is unknown.
 bool Chains::is_of_rounding(const Chain& chain) const {
     const Vec3 from = vertices_[chain.from].at;
     return norm(vertices_[chain.to].at - from) <= kTangencyGapMm &&
@@ -421,7 +421,7 @@ void Chains::solve_chain(Chain& chain) {
     if (chain.has_failed) return;
     const bool is_loop = chain.from == chain.to;
     if (is_loop) {
-        // Around facets that are needles.
+        // A loop around needles vanishes.
         const std::vector<Vec3> points = points_of(chain);
         const auto is_there = [&](Vec3 p) { return norm(p - points.front()) < kFlat; };
         if (std::ranges::all_of(points, is_there)) {
@@ -430,7 +430,7 @@ void Chains::solve_chain(Chain& chain) {
         }
     }
     if (!is_loop && norm(to.at - from.at) <= kReaderMm) {
-        // A circle that ends where it begins, or nothing?
+        // Decides between a whole circle and a chain without length.
         if (norm(middle_of(chain) - from.at) < reach({chain.left, chain.right})) {
             chain.has_vanished = true;
             return;
@@ -446,7 +446,7 @@ void Chains::solve_chain(Chain& chain) {
     std::optional<Curve> curve = intersection_curve(a, b, from.at, to.at, middle);
     const bool is_straight = curve && std::holds_alternative<Line>(*curve);
     if (is_straight) {
-        // A line that comes back is none; nor is one the other way.
+        // A line cannot return to its start, nor run against the polyhedron's.
         const bool is_back =
             !chain.is_flipped && dot(to.at - from.at, points.back() - points.front()) < 0.0;
         if (is_loop || (is_back && norm(to.at - from.at) > kReaderMm))
@@ -457,20 +457,20 @@ void Chains::solve_chain(Chain& chain) {
     if (!curve) {
         points.front() = from.at;
         points.back() = to.at;
-        // Where they touch, what crosses both tells where.
+        // If the surfaces are tangent, the tangency surface determines the curve.
         const std::optional<Form> touching = tangency_surface(a, b);
         const Form& second = touching ? *touching : b;
         const bool is_moved =
             std::holds_alternative<Coil>(a) || std::holds_alternative<Envelope>(a);
         const Form& first = is_moved && touching ? b : a;
         auto spline = spline_of(chain, first, second, points);
-        // Where facets are large, corners of the polygon may lie beyond its true ends.
+        // Where facets are large, corners of the polygon may lie beyond the true ends.
         if (!spline && !is_loop &&
             (chain.is_flipped || dot(to.at - from.at, path_direction(chain)) > 0.0))
             spline = intersection_spline(first, second, {from.at, to.at});
         if (!spline) return is_of_rounding(chain) ? vanish(chain) : fail(chain);
         chain.curve = std::move(*spline);
-        // The edge of two straight pipes has no lune either if no facet shows the lune.
+        // The edge of two straight pipes has no lune if no facet shows one.
         const double lower = depth_of_lune(a, b, Track(chain.curve, from.at, to.at));
         const double error = std::max(groups_.error_of(chain.left), groups_.error_of(chain.right));
         if (lower > std::max(5.0 * kLeastSizeMm, error)) return fail(chain);
@@ -485,13 +485,13 @@ void Chains::solve_chain(Chain& chain) {
     if (is_loop && std::abs(rough) < 180.0) return fail(chain);
     if (rough < 0.0) axis = -axis;
     if (chain.is_closed) {
-        // Anywhere: where CAD begins to unroll.
+        // The start is where OpenCASCADE's parameter begins.
         const Vec3 x = any_perpendicular(axis);
         from.at =
             circle ? centre + circle->radius * x : centre + ellipse->major_radius * ellipse->major;
         from.miss = std::max(std::abs(distance(a, from.at)), std::abs(distance(b, from.at)));
     }
-    // Near the corner of a bend facets do not tell which way: the shorter one.
+    // Near the corner of a bend, facets do not show the direction; the shorter arc is right.
     const bool is_at_bend = from.groups.size() == 2 || to.groups.size() == 2;
     if (!is_loop && is_at_bend && std::abs(rough) < 90.0 &&
         Track(*curve, from.at, to.at).sweep_degrees() > 270.0) {
@@ -501,7 +501,7 @@ void Chains::solve_chain(Chain& chain) {
     }
     if (!is_loop) {
         const Track track(*curve, from.at, to.at);
-        // Of the two circles in which a plane meets a ring, each end may be on one.
+        // A plane meets a torus in two circles, and each end may be on another one.
         if (norm(track.at(1.0) - to.at) > kTangencyGapMm) {
             auto spline = spline_along_circle(a, b, from.at, to.at, points);
             if (!spline) return fail(chain);
@@ -509,15 +509,15 @@ void Chains::solve_chain(Chain& chain) {
             return;
         }
         const double sweep = track.sweep_degrees();
-        // All but a whole turn: it goes back by the rest.
+        // Nearly a whole turn means that the arc runs backwards.
         if (std::abs(sweep - std::abs(rough)) > std::abs(sweep - 360.0 + std::abs(rough)) &&
             std::abs(sweep - std::abs(rough)) > 180.0) {
             return is_of_rounding(chain) ? vanish(chain) : fail(chain);
         }
     }
-    // Circles that ought to touch in a corner but are rounded cross on both sides of it. Splines
-    // have their ends there, and one direction.
-    // Three faces that miss their corner touch there, whatever is known of their forms.
+    // Circles that should be tangent in a corner cross on both sides of the corner after rounding;
+    // splines end in the corner, with one direction. Three faces that miss their corner are tangent
+    // there, whatever their forms are.
     const auto is_rounded = [](const Vertex& v) {
         return (v.is_tangency || v.groups.size() == 3) && v.miss > kReaderMm;
     };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The third step: where the boundaries of groups meet is a vertex, what runs between two vertices a
-// chain of edges. Vertices are solved on all surfaces around them, then the curves between them.
+// Step 3 of recognition: the boundaries of groups meet in vertices; a chain of half-edges between
+// two vertices becomes an edge. Vertices are solved on all adjacent surfaces, then curves between
+// the vertices.
 #pragma once
 
 #include "ncsim/brep/curve.h"
@@ -22,15 +23,16 @@ namespace ncsim::brep {
 struct Chain {
     std::vector<std::uint32_t> edges;  ///< Half-edges, with the group on the left.
     std::uint32_t left = 0, right = 0;
-    bool is_closed = false;                  ///< Without a vertex.
-    std::uint32_t from = kNone, to = kNone;  ///< Vertices.
+    bool is_closed = false;                  ///< True for a loop without a vertex.
+    std::uint32_t from = kNone, to = kNone;  ///< Numbers of vertices.
     bool has_vanished = false;
-    bool has_failed = false;          ///< Itself, or one of its ends.
-    bool is_flipped = false;          ///< No longer between the groups beside its half-edges.
-    Vec3 direction{};                 ///< Which way it went when it was flipped, if that is known.
-    bool is_direction_fixed = false;  ///< Contacts of the adjacent faces determine its direction.
-    bool is_inserted = false;  ///< Flipped, and has no half-edges: both its ends were one corner.
-    /// Made: the chain before which it goes, or that it goes on from.
+    bool has_failed = false;  ///< True if the chain or one of its ends has no solution.
+    bool is_flipped = false;  ///< True if the chain separates other groups than its half-edges.
+    Vec3 direction{};         ///< Direction at the time of the flip; zero if unknown.
+    bool is_direction_fixed = false;  ///< True if tangencies of adjacent faces determine it.
+    /// True for a flipped chain without half-edges, between vertices that were one corner.
+    bool is_inserted = false;
+    /// Chain that an inserted chain precedes (`is_before`) or follows in loops.
     std::uint32_t neighbour = kNone;
     bool is_before = false;
     Curve curve;
@@ -40,42 +42,45 @@ struct Vertex {
     Vec3 at;
     std::vector<std::uint32_t> groups;
     double miss = 0.0;
-    bool is_tangency = false;        ///< Of surfaces that touch.
-    bool is_bend_elsewhere = false;  ///< Beside the corner of a bend, which is to be another one.
+    bool is_tangency = false;  ///< True if two of the surfaces are tangent.
+    /// True if the corner of a bend is next to the vertex and becomes another vertex.
+    bool is_bend_elsewhere = false;
     bool has_failed = false;
-    std::uint32_t edge = kNone;  ///< A half-edge between two groups that starts there.
-    Vec3 start{};                ///< Where it is in the polyhedron.
+    std::uint32_t edge = kNone;  ///< Half-edge between two groups that starts at the vertex.
+    Vec3 start{};                ///< Position in the polyhedron.
 };
 
 class Chains {
 public:
-    /// What cannot be solved is added to `failures`. All of them must outlive it.
+    /// Adds failures to `failures`. All arguments must outlive the chains.
     Chains(const FacetMesh& mesh, const Groups& groups, Failures& failures)
         : mesh_(mesh), groups_(groups), failures_(failures) {}
 
-    /// Of the groups as they are.
+    /// Traces vertices and chains from the current groups.
     void trace();
-    /// Where any of these fail, edges are not tried.
+    /// Solves all vertices and then, unless a vertex has failed, all curves.
     void solve();
-    /// Corners of this group that are apart by less than what programs round, each on all that is
-    /// around the other one but for that, are one from now on; of planes, cylinders and cones
-    /// alone, since elsewhere a corner may be off by more along what touches. True: there are more
-    /// of them.
+    /// Merges pairs of corners of `group` that lie within the rounding of programs on each other's
+    /// surfaces, in all following rounds. Only corners of planes, cylinders, cones and coils are
+    /// merged, because corners of other surfaces may move farther along a tangent surface. Returns
+    /// true if pairs were added.
     bool join_corners(std::uint32_t group);
-    /// Two edges that meet again beside a corner in which surfaces touch: these cross there from
-    /// now on, if they do so well beside it. True: there are more of such corners.
+    /// Moves the common corner of two edges that meet a second time next to it, from the next
+    /// solution on: surfaces that nearly touch in the corner cross there. Returns true if there is
+    /// a new corner to move.
     bool add_crossing(std::uint32_t one, std::uint32_t other);
 
-    /// A corner in which a whole circle begins lies in the plane of that from now on: edges that
-    /// end beyond it by what programs round would cross it beside the corner. True: it did not.
+    /// Moves the vertex into the plane of the whole circle that begins there, from the next
+    /// solution on; otherwise edges that end beyond the plane by the rounding of programs would
+    /// cross the circle. Returns true if the vertex was not in the plane.
     bool snap_to_circle(std::uint32_t of_circle, std::uint32_t vertex);
 
     const std::vector<Chain>& all() const { return chains_; }
     const std::vector<Vertex>& vertices() const { return vertices_; }
-    /// For each group the loops around it, of uses of chains; those that have vanished left out.
+    /// Returns the loops of each group as uses of chains, without vanished chains.
     std::vector<std::vector<Loop>> loops() const;
-    /// By how much the tips of lunes that the facets did not tell are lower than what is in their
-    /// place, at most, mm.
+    /// Returns the largest height in mm by which the tip of a lune without facets is lower than the
+    /// surface in its place.
     double mitred_mm() const { return mitred_mm_; }
 
 private:
@@ -84,8 +89,9 @@ private:
     bool is_tip(std::uint32_t h) const;
     bool is_bend(std::uint32_t h, const std::vector<int>& degree) const;
     double reach(const std::vector<std::uint32_t>& groups) const;
-    /// It may be as far from where it was, or from one of the ways `lines`, as corners of polygons
-    /// are from true ones.
+    /// Moves the vertex onto all adjacent surfaces; the distance to its start, or to one of the
+    /// polylines `lines`, must not exceed the distance between corners of polygons and true
+    /// corners. Returns false if there is no such point.
     bool solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines = {}) const;
     bool solve_corner(Vertex& v);
     bool is_above(std::uint32_t ramp, Vec3 p) const;
@@ -93,12 +99,12 @@ private:
     void move_to_ellipse(Vertex& v, Vec3 start) const;
     bool has_bend(std::uint32_t g, Vec3 corner, Vec3 near) const;
     std::optional<Vec3> bend_at(const Vertex& v) const;
-    /// A chain as it goes out from a vertex.
+    /// Chain as seen from a vertex, leading outwards.
     struct Spoke {
         std::uint32_t chain;
         bool is_start;
-        std::uint32_t left, right;  ///< Groups.
-        Vec3 direction;             ///< Unit.
+        std::uint32_t left, right;  ///< Numbers of groups.
+        Vec3 direction;             ///< Unit vector.
     };
     std::vector<Spoke> spokes_at(const Vertex& v) const;
     bool split(std::uint32_t number, const std::vector<Spoke>& spokes);
@@ -113,11 +119,11 @@ private:
     void split_at(std::uint32_t number, Vec3 corner, bool is_at_start);
     void move_to_wall(std::uint32_t number);
     Vec3 direction_of(std::uint32_t h) const;
-    /// Of each vertex, those that meet there, where they are not more than three.
+    /// Chains at each vertex; only vertices with at most three chains have entries.
     using ChainsAt = std::vector<std::array<std::uint32_t, 3>>;
-    /// The faces around a chain, and the chains at both of its ends.
+    /// Faces around a chain, and the chains at both ends of it.
     struct Crossing {
-        std::uint32_t left, right, behind = kNone, ahead = kNone;  ///< Groups.
+        std::uint32_t left, right, behind = kNone, ahead = kNone;  ///< Numbers of groups.
         std::uint32_t from_left = kNone, from_right = kNone, to_left = kNone, to_right = kNone;
     };
     std::optional<Crossing> crossing_at(std::uint32_t number, const ChainsAt& at) const;
@@ -135,7 +141,7 @@ private:
                                          Vec3 to) const;
     bool flip(std::uint32_t number, ChainsAt& at, int most);
     Vec3 path_direction(const Chain& chain) const;
-    /// A use that has no place yet.
+    /// Use of a chain for which no place in a loop is known.
     struct PendingUse {
         std::uint32_t group;
         EdgeUse use;
@@ -168,28 +174,30 @@ private:
     const Groups& groups_;
     Failures& failures_;
     std::vector<Vertex> vertices_;
-    std::vector<std::uint32_t> vertex_of_;  // of each corner of the mesh, or none
+    std::vector<std::uint32_t> vertex_of_;  // vertex of each corner of the mesh, or kNone
     std::vector<Chain> chains_;
-    std::vector<std::uint32_t> chain_of_;  // of each half-edge
+    std::vector<std::uint32_t> chain_of_;  // chain of each half-edge
     double mitred_mm_ = 0.0;
-    /// Round by round most corners and edges stay what they are: of each corner of the mesh, which
-    /// may become several, and of each half-edge with which a chain begins, what was found, and of
-    /// what. (Of an edge two splines: on both faces, and on one and what they touch in.)
+    /// Results of earlier rounds, because most corners and edges do not change: for each corner of
+    /// the mesh, which may become several vertices, and for each first half-edge of a chain, the
+    /// surfaces and the solution on them. An edge has two splines: between both faces, and between
+    /// one face and the tangency surface.
     struct CachedCorner {
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> surfaces;  ///< Surfaces, first facets.
+        std::vector<std::pair<std::uint32_t, std::uint32_t>>
+            surfaces;  ///< Surfaces and first facets of the groups.
         Vec3 at{};
         double miss = 0.0;
         bool is_tangency = false, is_bend_elsewhere = false, is_solved = false;
     };
     struct CachedSpline {
-        std::uint32_t left = kNone, right = kNone;  ///< Surfaces.
+        std::uint32_t left = kNone, right = kNone;  ///< Numbers of surfaces.
         std::vector<Vec3> points;
         std::optional<Spline> spline;
     };
     std::vector<std::vector<CachedCorner>> cached_corners_;
     std::unordered_map<std::uint32_t, CachedSpline> cached_splines_;
-    /// Corners of the mesh, and those of them that came in since the last trace: several faces may
-    /// fail in one.
+    /// Pairs of corners to merge, and corners to move to a crossing. The sets `…_since_trace_` have
+    /// the additions of this round, because several faces may fail in the same corner.
     std::set<std::pair<std::uint32_t, std::uint32_t>> joined_, joined_since_trace_;
     std::set<std::uint32_t> crossed_, crossed_since_trace_;
     std::set<std::pair<std::uint32_t, std::uint32_t>>

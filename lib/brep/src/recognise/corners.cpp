@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the vertices of chains are: on all surfaces around them.
+// Positions of the vertices of chains, on all adjacent surfaces.
 #include "geometry/contact.h"
 #include "geometry/envelope_contact.h"
 #include "geometry/newton.h"
@@ -23,7 +23,8 @@ namespace ncsim::brep {
 
 namespace {
 
-// Newton's method does not find an apex, where a cone has no normal.
+// Moves `p` to an apex of a cone that lies on all surfaces. Newton's method does not find an apex,
+// because a cone has no normal there.
 bool move_to_apex(const std::vector<const Form*>& forms, Vec3& p) {
     for (const Form* form : forms) {
         const auto* cone = std::get_if<Cone>(form);
@@ -37,8 +38,8 @@ bool move_to_apex(const std::vector<const Form*>& forms, Vec3& p) {
     return false;
 }
 
-// Programs round by how much the others pass beside it: readers take corners as near as that for
-// it.
+// Moves `p` to an apex within the rounding of programs, because OpenCASCADE takes such corners for
+// the apex.
 void snap_to_apex(const std::vector<const Form*>& forms, Vec3& p) {
     for (const Form* form : forms) {
         const auto* cone = std::get_if<Cone>(form);
@@ -46,8 +47,8 @@ void snap_to_apex(const std::vector<const Form*>& forms, Vec3& p) {
     }
 }
 
-// By how far the place of a point is beyond an end of the way, of whichever envelope that is most;
-// along that way, mm.
+// Returns the largest vector, over all envelopes of turning tools, by which the place of `p` on the
+// envelope lies beyond an end of the path, mm.
 Vec3 overshoot(const std::vector<const Form*>& forms, Vec3 p) {
     Vec3 most;
     for (const Form* form : forms) {
@@ -61,8 +62,8 @@ Vec3 overshoot(const std::vector<const Form*>& forms, Vec3 p) {
     return most;
 }
 
-// Where what crosses an envelope nearly goes along it, it does twice, and one of both places may be
-// beyond the end of the way: the other one is the corner.
+// Moves `p` to the second solution if it lies beyond the end of a path. A surface that crosses an
+// envelope nearly along the path meets it twice.
 void move_onto_path(const std::vector<const Form*>& forms, Vec3& p) {
     const Vec3 beyond = overshoot(forms, p);
     if (norm(beyond) <= kTangencyGapMm) return;
@@ -91,7 +92,7 @@ void move_to_mitre(std::vector<const Form*> forms, std::size_t count, Vec3& p) {
     }
 }
 
-// Planes, no two of them parallel but for what programs round.
+// True if no two planes are parallel within the rounding of programs.
 bool are_askew(std::span<const Form* const> planes) {
     for (std::size_t i = 0; i < planes.size(); ++i) {
         for (std::size_t j = i + 1; j < planes.size(); ++j) {
@@ -103,7 +104,7 @@ bool are_askew(std::span<const Form* const> planes) {
     return true;
 }
 
-// Of a point from the lines between these, mm.
+// Returns the distance of `p` from a polyline, mm.
 double distance_from(const std::vector<Vec3>& points, Vec3 p) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -117,7 +118,7 @@ double distance_from(const std::vector<Vec3>& points, Vec3 p) {
 
 }  // namespace
 
-// How far a corner of the polygon may be from the true one.
+// Returns the largest distance between a corner of the polygon and the true corner, mm.
 double Chains::reach(const std::vector<std::uint32_t>& groups) const {
     double radius = kLargeRadius, error = 0.0;
     for (const std::uint32_t g : groups) {
@@ -127,8 +128,8 @@ double Chains::reach(const std::vector<std::uint32_t>& groups) const {
     return 5.0 * std::sqrt(2.0 * radius * error) + 4.0 * error + kFlat;
 }
 
-// Does the circle of a bend lie in a level face, or in the wall that the tool left where it stood?
-// `near` is a corner of the polyhedron.
+// True if the circle of a bend lies in the level face or wall `g`. `near` is a corner of the
+// polyhedron.
 bool Chains::has_bend(std::uint32_t g, Vec3 corner, Vec3 near) const {
     const Form& form = groups_.form_of(g);
     const auto is_on = [&](Vec3 p, double most) { return std::abs(distance(form, p)) < most; };
@@ -138,8 +139,8 @@ bool Chains::has_bend(std::uint32_t g, Vec3 corner, Vec3 near) const {
            is_on(near, groups_.error_of(g));
 }
 
-// The corner of the edge of two ramps among the faces around it: with no other face, or with one in
-// which the circle of the bend lies, so that all three meet in all of it.
+// Returns the corner of the edge of two ramps among the faces of `v`: without a third face, or with
+// a third face in which the circle of the bend lies, so that all three meet in the whole circle.
 std::optional<Vec3> Chains::bend_at(const Vertex& v) const {
     for (std::size_t i = 0; i < v.groups.size(); ++i) {
         for (std::size_t j = i + 1; j < v.groups.size(); ++j) {
@@ -200,7 +201,7 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines
         brep::solve(forms, v.at);
         move_onto_path(forms, v.at);
         snap_to_apex(forms, v.at);
-        // Where curved ones touch, rounding is left over: not off the planes.
+        // Tangent curved surfaces leave a rest of rounding, which must not be off the planes.
         for (const std::uint32_t n : numbers) {
             if (const auto* plane = std::get_if<Plane>(&mesh_.surface(n).form))
                 v.at = v.at - distance(*plane, v.at) * plane->normal;
@@ -212,7 +213,7 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines
     double deviation = norm(v.at - start);
     for (const std::vector<Vec3>& line : lines)
         deviation = std::min(deviation, distance_from(line, v.at));
-    // Planes at small angles meet far away for little; not those that are parallel but for
+    // Planes at small angles meet far away for a small change, unless they are parallel within
     // rounding.
     const bool is_far = all_flat && are_askew(std::span(forms).first(count));
     if (v.miss <= kTangencyGapMm && deviation <= (is_far ? 2.0 : 1.0) * reach(v.groups))
@@ -222,7 +223,7 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines
     return false;
 }
 
-// As it was found last, if nothing around it has changed.
+// Solves the vertex, or returns the previous solution if no adjacent group has changed.
 bool Chains::solve_corner(Vertex& v) {
     const auto is_analytic = [&](std::uint32_t g) { return groups_[g].is_analytic; };
     if (v.edge == kNone || std::ranges::none_of(v.groups, is_analytic)) {
@@ -257,15 +258,16 @@ bool Chains::solve_corner(Vertex& v) {
     return cached->is_solved;
 }
 
-// Of a ramp, beside `p`.
+// True if the first facet of the ramp lies above `p`.
 bool Chains::is_above(std::uint32_t ramp, Vec3 p) const {
     const auto& form = std::get<Extrusion>(groups_.form_of(ramp));
     return dot(mesh_[groups_[ramp].facets.front()].centroid - p, form.axis) > 0.0;
 }
 
-// Where two ramps meet in a valley, or on a ridge, the wall beside one of them touches its floor
-// from the circle of the bend on. The floor of the other one crosses both there and once more, in
-// the ellipse of the bend: that is the corner of all three.
+// Moves a vertex of two ramps and a wall to the ellipse of the bend. In a valley or on a ridge, the
+// wall next to one ramp is tangent to it from the circle of the bend on. The other ramp crosses
+// both in this circle and a second time in the ellipse of the bend, which has the corner of all
+// three.
 void Chains::move_to_ellipse(Vertex& v, Vec3 start) const {
     if (v.groups.size() != 3) return;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -292,7 +294,8 @@ void Chains::move_to_ellipse(Vertex& v, Vec3 start) const {
     }
 }
 
-// Surfaces that touch but for rounding may cross on both sides of that, well beside it.
+// Moves the vertex to a crossing nearby. Surfaces that are tangent within rounding may cross on
+// both sides of the tangency.
 void Chains::move_to_crossing(Vertex& v, Vec3 start,
                               const std::vector<std::uint32_t>& numbers) const {
     if (v.edge == kNone || !crossed_.contains(mesh_.edges()[v.edge].from)) return;
@@ -305,8 +308,8 @@ void Chains::move_to_crossing(Vertex& v, Vec3 start,
     if (largest_distance(numbers, p) <= kFlat && norm(p - v.at) > kLeastAxisDistance) v.at = p;
 }
 
-// A corner of facets stays where it is, or goes to where the faces beside them meet: within
-// their error it is a corner of all.
+// Solves a vertex with adjacent facets: it stays, or moves to the common point of the recognised
+// surfaces if that is within the error of the facets.
 bool Chains::solve_next_to_facets(Vertex& v) const {
     std::vector<const Form*> forms;
     double error = 0.0;

@@ -15,7 +15,7 @@ namespace ncsim::brep {
 
 namespace {
 
-// The loop around all others is the one with the largest area.
+// Returns the number of the outer loop of a plane, the loop with the largest area.
 std::size_t outline_of(const Part& part, const Face& face) {
     if (face.loops.size() < 2 || !std::holds_alternative<Plane>(face.surface.form)) return 0;
     std::size_t best = 0;
@@ -34,7 +34,7 @@ std::size_t outline_of(const Part& part, const Face& face) {
     return best;
 }
 
-// Does a loop come back to a corner, or another one come to it?
+// True if two uses of the face begin in the same corner.
 bool is_pinched(const Part& part, const Face& face) {
     Numbers corners = corners_of(part, face);
     std::sort(corners.begin(), corners.end());
@@ -80,7 +80,7 @@ bool FaceCheckCache::is_faulty(Entry& entry, const Part& part, std::uint32_t fac
             return faults_of(part, face, tolerance_mm, entry.miss_mm, clear, entry.measure.area);
         };
         auto faults = faults_within(kReaderClearance);
-        // Nothing is laid down farther away than it is off.
+        // Next to facets, OpenCASCADE makes edges as wide as they are off, so touching loops cross.
         if (const double clear = std::min(clear_mm, entry.miss_mm);
             faults.empty() && clear > kReaderClearance)
             faults = faults_within(clear);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Round by round most faces stay what they are. What was found out about one stays true as long as
-// its surface and its edges are the same.
+// Cache of the checks of faces. Most faces do not change between rounds, and a result remains valid
+// while the surface and the edges of the face are the same.
 #pragma once
 
 #include "ncsim/brep/measure.h"
@@ -20,16 +20,16 @@ namespace ncsim::brep {
 
 class FaceCheckCache {
 public:
-    /// Measures are from `apex`.
+    /// All measures refer to `apex`.
     explicit FaceCheckCache(Vec3 apex) : apex_(apex) {}
 
     struct Entry {
-        Measure measure;  ///< From the apex.
-        /// Of the last check: within what, was anything found, and what do its edges miss?
+        Measure measure;  ///< Measured from the apex.
+        /// Tolerance of the last check; the results below belong to it.
         std::optional<double> tolerance_mm;
         bool is_faulty = false;
         double miss_mm = 0.0;
-        /// Where the fault is: which edges of which loops. Nothing where that cannot be told.
+        /// Places of the faults, as numbers of loops and of uses in the loop; empty if unknown.
         std::vector<std::pair<std::size_t, std::size_t>> fault_at;
 
     private:
@@ -46,11 +46,13 @@ public:
         Frame frame_;
     };
 
-    /// Gives the face its frame, and of a plane the outline as its first loop. `name` tells faces
-    /// apart, from round to round. What is known of it stays where it is.
+    /// Returns the entry of a face, which stays valid. Sets the frame of the face, and makes the
+    /// outline of a plane the first loop. `name` identifies the face in all rounds.
     Entry& lookup(const Part& part, Face& face, std::uint32_t name);
-    /// Are there faults, and what do its edges miss? As faults_of(), of which a face is asked with
-    /// one clearance for a tolerance; of edges that miss less, what these miss is enough.
+    /// Returns true if the face has faults within the tolerance, as faults_of(). Sets `miss_mm` to
+    /// the larger of itself and the largest deviation of the edges. The clearance is `clear_mm`, or
+    /// this deviation if smaller.
+    /// Requires: equal tolerances of a face come with equal clearances.
     static bool is_faulty(Entry& entry, const Part& part, std::uint32_t face, double tolerance_mm,
                           double clear_mm, double& miss_mm);
 

@@ -19,16 +19,18 @@ namespace ncsim::brep {
 
 namespace {
 
-// Of what joins a neighbour, as a chord.
+// Largest deviation of the normals of an absorbed facet, as a chord.
 constexpr double kMostTurnOfNeighbours = 0.6;
 // Chord of any two directions.
 constexpr double kAnyTurn = 2.0;
-// So many errors is a lune that is one error low off either of the pipes beside it, at most: four
-// times as far from the one as from the plane between both, and corners of hulls lie farther out.
+// A lune one error lower than the edge in its place is at most this many errors off the adjacent
+// pipes: four times as far from the pipe as from the plane between both, plus the corners of hulls,
+// which lie farther out.
 constexpr double kLuneErrors = 6.0;
 
-// Of what is between two planes, or two cylinders about nearly one axis, that look away from each
-// other: how thick it is at most. Negative where there is nothing.
+// Returns the largest thickness of the material between two planes, or two nearly coaxial
+// cylinders, that face away from each other, mm; negative if there is no material. Empty for all
+// other surfaces.
 std::optional<double> thickness_between(const Surface& a, const Surface& b) {
     if (const auto* one = std::get_if<Plane>(&a.form), *two = std::get_if<Plane>(&b.form);
         one && two) {
@@ -44,20 +46,22 @@ std::optional<double> thickness_between(const Surface& a, const Surface& b) {
     return (a.is_hollow ? two->radius - one->radius : one->radius - two->radius) + deviation;
 }
 
-// Where a tool goes that crosses a pipe, a flank or what a ring leaves there, beside `p`.
+// Returns the direction of the tool's path near `p`, from a surface that crosses a pipe, a flank or
+// the envelope of a torus.
 Vec3 path_direction(const Form& across, Vec3 p) {
     if (const auto* plane = std::get_if<Plane>(&across)) return plane->normal;
     const auto& characteristic = std::get<Characteristic>(across);
     const ClosestPoint at = closest_point_at(*characteristic.of.sweep, characteristic.t, p);
     const Vec3 velocity = velocity_at(at.tool, height_of_centre(*characteristic.of.sweep, at));
-    // Balls that turn have lunes beside the strips of their sides, and go with these.
+    // Lunes of turning balls are adjacent to the strips of the tool's side and follow the side.
     const Fillet* fillet = characteristic.of.sweep->fillet();
     const bool is_with_side =
         !fillet || (fillet->centre_radius <= 0.0 && is_of_turning_tool(characteristic.of));
     return normalized(is_with_side ? radial_vector({}, at.tool.axis, velocity) : velocity);
 }
 
-// Where a corner radius stood, if the plane is that of its flat end there.
+// Returns the torus of the corner radius in the pose in which the tool's flat end lies in the plane
+// `flat`; empty if the path has no such pose.
 std::optional<Torus> adjacent_torus(const Plane& flat, const Envelope& moved) {
     const Fillet* fillet = moved.sweep->fillet();
     if (!fillet || moved.sweep->is_rim() || fillet->centre_radius <= fillet->radius)
@@ -88,7 +92,7 @@ void Groups::gather() {
     }
     groups_.clear();
     group_of_.assign(mesh_.size(), kNone);
-    std::vector<std::uint32_t> end;  // of each group, in facets_
+    std::vector<std::uint32_t> end;  // end of each group, in facets_
     for (std::uint32_t i = 0; i < mesh_.size(); ++i) {
         const std::uint32_t root = sets.find(i);
         if (group_of_[root] == kNone) {
@@ -111,7 +115,7 @@ void Groups::gather() {
     find_neighbours();
 }
 
-// Who is beside whom: half-edges by group, those of a group by neighbour, then in order.
+// Sorts the half-edges by group and then by neighbour, and sums the lengths of common boundaries.
 void Groups::find_neighbours() {
     struct Adjacency {
         std::uint32_t beyond, edge;
@@ -129,7 +133,7 @@ void Groups::find_neighbours() {
     for (std::size_t g = 0; g < groups_.size(); ++g)
         end[g + 1] += end[g];
     std::vector<Adjacency> met(boundary.size());
-    // What was the begin of a group becomes its end, and so that of the next one.
+    // Each begin becomes the end of its group, which is the begin of the next.
     for (const std::uint32_t h : boundary)
         met[end[group_at(h)]++] = {opposite_group(h), h};
     first_.assign(1, 0);
@@ -176,23 +180,23 @@ bool Groups::unify() {
         const double boundary_length = perimeter(g);
         if (2.0 * group.area >= 2.0 * error_of(g) * boundary_length) continue;
         const bool is_of_rounding = 2.0 * group.area < kTangencyGapMm * boundary_length;
-        // A group that is narrower than its error may look anywhere.
+        // The normal of a group that is narrower than its error is arbitrary.
         any = absorb(g, 1.5, kMostTurnOfNeighbours) ||
               absorb(g, 2.0, is_of_rounding ? kAnyTurn : 1.0) || any;
     }
     return any;
 }
 
-// Where its way bends, a ball or a corner radius leaves a lune between two pipes, and a side a
-// strip between two flanks. Longer, these meet in the plane between both, farther out than the lune
-// by little where the way bends little: and then facets are wider than the lune, and have gaps
-// where it ought to be. Pipes may bend themselves: envelopes.
+// Absorbs lunes at small bends of the path. A ball or a corner radius leaves a lune between two
+// pipes, and a side leaves a strip between two flanks. Extended, the pipes meet in the plane
+// between both, slightly higher than the lune. If the bend is small, facets are wider than the lune
+// and leave gaps in it. Pipes may be curved: envelopes.
 bool Groups::absorb_lunes() {
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
         const std::vector<Pipe> pipes = adjacent_pipes(g);
         if (pipes.size() < 2) continue;
-        // Of the angle t between their ways, 1 / cos(t / 2) is by how much they meet farther out.
+        // With the angle t between both paths, pipes meet at 1 / cos(t / 2) times the radius.
         double cosine = 1.0;
         for (const std::uint32_t i : groups_[g].facets) {
             for (const Pipe& one : pipes) {
@@ -203,10 +207,10 @@ bool Groups::absorb_lunes() {
             }
         }
         const double lower = radius_of(form_of(g)) * (std::sqrt(2.0 / (1.0 + cosine)) - 1.0);
-        // Farther out than what a ball leaves at a bend may be other material in its place.
+        // A larger difference may be material of another kind.
         if (lower > std::max(5.0 * kLeastSizeMm, error_of(g))) continue;
         const auto longest = std::ranges::max_element(pipes, {}, &Pipe::shared);
-        // Other pipes may happen to pass by, or the same one on both sides of the end of its way.
+        // Another pipe, or the same pipe on both sides of its end, may be adjacent by chance.
         if (!lies_on(g, longest->group, kLuneErrors, kMostTurnOfNeighbours)) continue;
         relabel(g, groups_[longest->group].surface);
         mitred_mm_ = std::max(mitred_mm_, lower);
@@ -215,7 +219,8 @@ bool Groups::absorb_lunes() {
     return any;
 }
 
-// What goes on from where a ball, a side or a corner radius stood, as `g` tells.
+// Returns the adjacent pipes that begin or end where the ball, side or corner radius of group `g`
+// stood.
 std::vector<Groups::Pipe> Groups::adjacent_pipes(std::uint32_t g) const {
     const auto* ball = std::get_if<Sphere>(&form_of(g));
     const auto* side = std::get_if<Cylinder>(&form_of(g));
@@ -234,7 +239,7 @@ std::vector<Groups::Pipe> Groups::adjacent_pipes(std::uint32_t g) const {
         axis = envelope->sweep->at(*t).axis;
     }
     for (const auto& [n, shared] : neighbours(g)) {
-        // Of a straight way; that about the tool's axis is where its side stood.
+        // A straight pipe. A cylinder about the tool's axis is the side of the tool.
         const auto* pipe = std::get_if<Cylinder>(&form_of(n));
         if (!ball || !pipe || (axis && is_parallel(pipe->axis, *axis))) continue;
         const auto across = tangency_surface(form_of(g), form_of(n));
@@ -243,8 +248,8 @@ std::vector<Groups::Pipe> Groups::adjacent_pipes(std::uint32_t g) const {
     return pipes;
 }
 
-// Hulls of a tool that goes down a helix have corners at every height. Between them ledges are left
-// on the wall that are floors of nothing.
+// Absorbs ledges. Hulls of a tool on a helix have corners at all heights and leave narrow level
+// ledges on the wall.
 bool Groups::absorb_ledges() {
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
@@ -264,8 +269,9 @@ bool Groups::absorb_ledges() {
     return any;
 }
 
-// Two walls in one place that look away from each other have nothing between them: there facets
-// left a fin, of ways that pass twice but for rounding. What they stand on goes on instead.
+// Absorbs fins. Two walls in one place that face away from each other have no material between
+// them; facets left a fin because the paths repeat with rounding. The fin gets the surface of the
+// face below.
 bool Groups::absorb_fins() {
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
@@ -288,7 +294,7 @@ bool Groups::absorb_fin(std::uint32_t g, std::uint32_t n) {
     if (!groups_[g].is_analytic || !groups_[n].is_analytic || !thickness ||
         *thickness > kTangencyGapMm || *thickness < -error)
         return false;
-    // With what closes it above.
+    // The fin includes the facets that close it above.
     std::set<std::uint32_t> fin{g, n}, adjacent;
     for (const std::uint32_t side : {g, n}) {
         for (const auto& [m, shared] : neighbours(side)) {
@@ -309,7 +315,7 @@ bool Groups::absorb_fin(std::uint32_t g, std::uint32_t n) {
 }
 
 bool Groups::insert_strips() {
-    std::vector<bool> is_removed(groups_.size(), false);  // onto a ring
+    std::vector<bool> is_removed(groups_.size(), false);  // reassigned to a torus
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::optional<Torus>> tori;
     bool any = false;
     const std::size_t edges = mesh_.edges().size();
@@ -325,7 +331,7 @@ bool Groups::insert_strips() {
         const std::optional<Torus>& torus = entry->second;
         if (!torus) continue;
         const Surface corner{*torus, true};
-        // Polygons in the place of a profile have flat ends that are wider.
+        // Flat ends of polygons are wider than those of the profile.
         const bool is_beyond =
             is_new && std::ranges::all_of(groups_[g].facets, [&](auto i) {
                 const Facet& facet = mesh_[i];
@@ -349,7 +355,8 @@ bool Groups::insert_strips() {
     return any;
 }
 
-// Is what it goes around the flat end in the ring, and not a plane at the height of that?
+// True if the half-edge runs around the flat end inside the torus; other edges belong to a face at
+// the same height.
 bool Groups::runs_around_torus(std::uint32_t h, const Torus& torus) const {
     const Vec3 from = mesh_.point(mesh_.edges()[h].from), to = mesh_.point(mesh_.to(h));
     const Vec3 middle = 0.5 * (from + to);
@@ -358,14 +365,14 @@ bool Groups::runs_around_torus(std::uint32_t h, const Torus& torus) const {
            std::abs(distance(torus, middle)) <= 3.0 * error_of(group_at(h));
 }
 
-// None of strips that were put in since groups were made.
+// Returns the group on the other side of a half-edge; kNone for a strip inserted since gather().
 std::uint32_t Groups::opposite_group_past_strips(std::uint32_t h) const {
     const std::uint32_t facet = mesh_.edges()[mesh_.edges()[h].twin].facet;
     return facet < group_of_.size() ? group_of_[facet] : kNone;
 }
 
-// Half-edges one after the other between the same two, all of them, from the first one on; none if
-// these have no ends, or a strip has been given up there.
+// Returns all consecutive half-edges between the same two groups, beginning with `h`; empty if the
+// boundary is closed, does not begin with `h`, or has a strip whose label was removed.
 std::vector<std::uint32_t> Groups::chain_from(std::uint32_t h) const {
     const std::uint32_t beyond = opposite_group(h);
     if (opposite_group_past_strips(boundary_before(h)) == beyond) return {};
@@ -404,7 +411,7 @@ bool Groups::demote_neighbours_of_tori() {
     return any;
 }
 
-// Is what the circle passes no thicker than facets are off?
+// True if the ramp rises by less than the error of facets.
 bool Groups::is_flat_ramp(std::uint32_t g) const {
     const auto* ramp = std::get_if<Extrusion>(&form_of(g));
     return ramp && ramp->radius * std::abs(dot(ramp->along, ramp->axis)) < 2.0 * error_of(g);
@@ -415,8 +422,8 @@ void Groups::relabel(std::uint32_t g, std::uint32_t surface) {
         mesh_.label(i, surface);
 }
 
-// Into the neighbour with the longest common boundary on whose surface it lies. Neighbours
-// that change in the same round do not count.
+// Absorbs the group into the neighbour with the longest common boundary on whose surface the group
+// lies. Neighbours that changed in this round do not count. Returns false if there is none.
 bool Groups::absorb(std::uint32_t g, double errors, double most_turn) {
     std::uint32_t best = kNone;
     double longest = 0.0;
@@ -433,8 +440,9 @@ bool Groups::absorb(std::uint32_t g, double errors, double most_turn) {
     return true;
 }
 
-// Planes that programs round apart meet anywhere, and what is between them has no width. Of two
-// that touch the smaller one goes on as the other: which one has?
+// Merges two adjacent planes that differ by the rounding of programs, because what lies between
+// them has no width. The smaller one gets the surface of the larger one unless tangencies would be
+// lost. Returns the merged group.
 std::optional<std::uint32_t> Groups::merge_into_wall(std::uint32_t g) {
     const auto is_wall = [&](std::uint32_t n) {
         return groups_[n].is_analytic && std::holds_alternative<Plane>(form_of(n)) &&
@@ -442,8 +450,9 @@ std::optional<std::uint32_t> Groups::merge_into_wall(std::uint32_t g) {
     };
     if (!is_wall(g)) return std::nullopt;
     std::optional<std::uint32_t> joined;
-    // Facets of one wall are off by as much as their tool's polygon is: of the other, by as much.
-    // Of those that were joined before it is their first wall that counts.
+    // Facets of a wall are off by the error of the tool's polygon, which may be the same for the
+    // other wall, so only the difference counts. A facet that was merged before is compared by its
+    // first wall.
     const auto lies_on_other = [&](std::uint32_t one, std::uint32_t other) {
         const Form& form = form_of(other);
         return std::ranges::all_of(groups_[one].facets, [&](std::uint32_t i) {
@@ -455,7 +464,7 @@ std::optional<std::uint32_t> Groups::merge_into_wall(std::uint32_t g) {
                    });
         });
     };
-    // What touches the one is to touch the other one, too.
+    // Surfaces tangent to the removed plane must be tangent to the other one.
     const auto keeps_touching = [&](std::uint32_t removed, std::uint32_t kept) {
         return std::ranges::all_of(neighbours(removed), [&](const auto& neighbour) {
             const Form& round = form_of(neighbour.first);
@@ -473,7 +482,7 @@ std::optional<std::uint32_t> Groups::merge_into_wall(std::uint32_t g) {
         };
         if (!is_removable()) std::swap(removed, kept);
         if (!is_removable()) return false;
-        // Not to and fro.
+        // A merge must not be reversed.
         if (!walls_.emplace(groups_[removed].facets.front(), groups_[kept].surface).second)
             return false;
         relabel(removed, groups_[kept].surface);
@@ -488,7 +497,7 @@ std::optional<std::uint32_t> Groups::merge_into_wall(std::uint32_t g) {
     return joined;
 }
 
-// Within so many errors.
+// True if the facets of group `g` lie on the surface of group `n` within `errors` times the error.
 bool Groups::lies_on(std::uint32_t g, std::uint32_t n, double errors, double most_turn) const {
     return std::ranges::all_of(groups_[g].facets, [&](std::uint32_t i) {
         const Facet& facet = mesh_[i];
@@ -497,8 +506,8 @@ bool Groups::lies_on(std::uint32_t g, std::uint32_t n, double errors, double mos
     });
 }
 
-// Of these groups, or where all of them are facets, of those that are nearest: it is they that
-// moved the corners.
+// Returns the recognised groups among `groups`; if there are none, those that are nearest, within
+// three steps, because these moved the corners.
 std::vector<std::uint32_t> Groups::adjacent_analytic_groups(
     std::vector<std::uint32_t> groups) const {
     for (int step = 0;; ++step) {
@@ -517,7 +526,7 @@ bool Groups::relabel(const Failures& failures, Strictness strictness) {
     bool any = false;
     std::set<std::uint32_t> done;
     for (const Failure& failure : failures) {
-        // The smallest that can be changed.
+        // The smallest group that can be changed comes first.
         std::vector<std::uint32_t> order = adjacent_analytic_groups(failure.groups);
         std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
             return std::pair(groups_[a].area, a) < std::pair(groups_[b].area, b);
@@ -561,15 +570,15 @@ bool Groups::relabel(const Failures& failures, Strictness strictness) {
         if (absorbed) continue;
         const std::uint32_t g = order.front();
         done.insert(g);
-        // Without any width it may look anywhere: what is beside it meets there.
+        // A group without any width may have any normal; the faces on both sides meet there.
         if (failure.is_thin && g == failure.groups.front() && absorb(g, 3.0, kAnyTurn)) continue;
         demote_to_facets(g, strictness == Strictness::High);
     }
     return any;
 }
 
-// Facets between poses of a tool that turns begin before the first one, and may reach what the
-// envelope does not: one of those around the corner goes to what it touches where the tool stood.
+// Assigns a facet at the corner to the surface of the tool at rest. Facets between two poses of a
+// turning tool begin before the first pose and may reach beyond the envelope.
 bool Groups::release_label(std::uint32_t edge) {
     std::vector<std::uint32_t> fan;
     std::uint32_t h = edge;
@@ -595,13 +604,14 @@ bool Groups::release_label(std::uint32_t edge) {
     return false;
 }
 
-// Not what is as large as a face that somebody wanted.
+// True if the group is smaller than an intended face.
 bool Groups::may_be_absorbed(std::uint32_t g) const {
     const double width = std::sqrt(8.0 * kLargeRadius * error_of(g));
     return 2.0 * groups_[g].area < width * perimeter(g);
 }
 
-// Of an envelope first what its facets have without it.
+// Removes the labels of a group. Facets of an envelope first get the best other surface, unless
+// `for_good`.
 void Groups::demote_to_facets(std::uint32_t g, bool for_good) {
     const bool is_envelope = std::holds_alternative<Envelope>(form_of(g));
     for (const std::uint32_t i : groups_[g].facets) {

@@ -26,20 +26,20 @@ bool lies_between(Vec3 p, Vec3 from, Vec3 to) {
     return t > 0.0 && t < 1.0 && norm(p - from - t * along) <= kReaderMm;
 }
 
-// Of the face beyond the longer one: it runs along that, and along the slit, one after the other.
+// Inserts `slit` next to `longer` into the loops of the face on the other side of `longer`. That
+// face runs along both, one after the other.
 bool divide(std::vector<Loop>& loops, const EdgeUse& longer, const EdgeUse& slit, bool is_there) {
     for (Loop& loop : loops) {
         const auto at = std::ranges::find(loop, longer.edge, &EdgeUse::edge);
         if (at == loop.end()) continue;
-        // Against the longer one, so along the slit.
+        // This face runs against the longer edge, so along the slit.
         loop.insert(is_there ? at : at + 1, slit);
         return true;
     }
     return false;
 }
 
-// Of the loops of a face two edges that have become one, or one that it has twice: with the face on
-// both sides.
+// Removes both uses of two edges that have become one, or of one edge with the face on both sides.
 void remove_uses(std::vector<Loop>& loops, std::uint32_t one, std::uint32_t two) {
     std::vector<UsePlace> uses;
     for (std::size_t l = 0; l < loops.size(); ++l) {
@@ -169,8 +169,8 @@ bool FaceLoops::close_slit(std::uint32_t group, std::size_t loop) {
         const bool is_longer = !is_whole && lies_between(at(end), at(start), at(far));
         const bool is_shorter = !is_whole && lies_between(at(start), at(far), at(end));
         if (!is_whole && !is_longer && !is_shorter) continue;
-        // What is left of the longer one stays in the loop; the other one, which is the slit, is
-        // between what is beyond both.
+        // The rest of the longer edge stays in the loop. The other edge, the slit, separates the
+        // faces on both sides.
         const EdgeUse slit = is_longer ? back : forth, longer = is_longer ? forth : back;
         if (is_whole) same_.unite(start, end);
         if (!is_whole && !divide(loops_[is_longer ? one : two], longer, slit, is_longer)) continue;

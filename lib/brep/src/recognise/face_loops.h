@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Between the chains of a shell and its part: the loops around each group, without what has no
-// width in them.
+// Loops around each group, after parts without width are closed: the step from solved chains to
+// faces.
 #pragma once
 
 #include "ncsim/base/disjoint_sets.h"
@@ -16,36 +16,37 @@
 
 namespace ncsim::brep {
 
-/// Two corners of a group.
+/// Two vertices of a group.
 using Corners = std::pair<std::uint32_t, std::uint32_t>;
 
 class FaceLoops {
 public:
-    /// Of chains that are solved: where one has vanished, both its ends are one corner. Where a
-    /// strip of a face has no width, its loop goes along a line and back: two walls that touch the
-    /// same third one in one line. What is beside the line on both sides meets in it. One of both
-    /// ways may be longer, and goes on beside the face. Both must outlive it.
+    /// Takes the loops of solved chains, unites the ends of vanished chains and closes slits. In a
+    /// slit the loop runs along a line and back: two walls that touch a third one in one line. The
+    /// faces on both sides of the slit then meet in the line. If one of both edges is longer, the
+    /// rest of it stays in the loop. Both arguments must outlive the loops.
     FaceLoops(const Groups& groups, const Chains& chains);
 
-    /// Corners of a group in one place, within `near_mm`, without an edge from the one to the
-    /// other: what is narrow between facets is only a point between curves that touch there. A
-    /// whole circle that begins anywhere begins in such a corner. The loops are those of the group
-    /// as they were when they were taken.
+    /// Returns pairs of vertices of a group within `near_mm` of each other without an edge between
+    /// them: narrow parts between facets may be single points on the true surfaces. The start of a
+    /// whole circle is paired with a vertex anywhere on the circle. `loops` are the loops of the
+    /// group at the time of the call.
     std::vector<Corners> touching_corners(std::uint32_t group, const std::vector<Loop>& loops,
                                           double near_mm);
     void unite(const Corners& corners) { same_.unite(corners.first, corners.second); }
-    /// Loops of what is not flat that have a corner in common are one, which comes there twice.
+    /// Joins loops with a common vertex on surfaces that are not planes into one loop that passes
+    /// the vertex twice.
     void join_touching_loops();
 
-    /// Of a group.
+    /// Returns the loops of a group.
     std::vector<Loop>& operator[](std::uint32_t group) { return loops_[group]; }
-    /// Of a chain: the corners from and to which the part has it.
+    /// Returns the vertices at which a chain begins and ends in the part.
     Corners ends_of(std::uint32_t chain) {
         return {same_.find(joints_[chain].from), same_.find(joints_[chain].to)};
     }
 
 private:
-    /// A chain as the part has it: what closes slits changes it.
+    /// Chain as used in the part, after slits were closed.
     struct Joint {
         std::uint32_t left, right;  ///< Groups.
         std::uint32_t from, to;     ///< Vertices.

@@ -12,7 +12,8 @@ namespace ncsim::brep {
 
 namespace {
 
-// A facet and the surface it approximates turn away from each other by less, as a chord (0.45 rad).
+// Largest deviation of a facet's normal from the surface that the facet approximates, as a chord
+// (0.45 rad).
 constexpr double kMaxFacetTurn = 0.45;
 
 }  // namespace
@@ -28,8 +29,8 @@ FacetMesh::FacetMesh(const Facets& facets, const std::map<cda::Origin, SweptSurf
     split_fans();
 }
 
-// Where facets meet that do not hang together around their common corner, each fan of them has one
-// of its own, if there are some of tools that turn: hulls of poses come near themselves.
+// Gives each fan of facets a separate corner where several fans meet in one corner, next to facets
+// of turning tools, because hulls of successive poses touch each other.
 void FacetMesh::split_fans() {
     std::vector<bool> is_seen(edges_.size(), false), has_fan(points_.size(), false);
     for (std::uint32_t first = 0; first < edges_.size(); ++first) {
@@ -52,7 +53,8 @@ void FacetMesh::split_fans() {
     }
 }
 
-// What has no width may look anywhere, and folds what it is a piece of: it is of what it is beside.
+// Gives needles the label of an adjacent facet of a turning tool. The normal of a facet without
+// width is arbitrary, and a face with such a facet would overlap itself.
 void FacetMesh::label_needles() {
     std::vector<double> perimeter(facets_.size(), 0.0);
     for (std::uint32_t h = 0; h < edges_.size(); ++h)
@@ -196,8 +198,8 @@ void FacetMesh::pair_edges(std::uint32_t h, std::uint32_t twin) {
     lengths_[twin] = lengths_[h];
 }
 
-// The corner where `h` ends becomes another one, in the same place, for all that is between it and
-// `last`, of the same label.
+// Divides the corner at the end of `h`: facets of one label between `h` and `last` get a new corner
+// at the same place. Returns the new corner.
 std::uint32_t FacetMesh::split_corner(std::uint32_t h, std::uint32_t last) {
     const std::uint32_t corner = edges_[last].from,
                         own = static_cast<std::uint32_t>(points_.size());
@@ -211,9 +213,9 @@ std::uint32_t FacetMesh::split_corner(std::uint32_t h, std::uint32_t last) {
     return own;
 }
 
-// Along the chain the strip has one half-edge beside each of it, and one back beside each of its
-// twins. At both ends, where these have a common corner, there is one more, beside the facet that
-// is beyond the label there.
+// The strip has a half-edge next to each half-edge of the chain, and one back next to each twin. At
+// both ends, where these have a common corner, there is another half-edge next to the facet beyond
+// the label.
 void FacetMesh::insert_strip(std::span<const std::uint32_t> chain, std::uint32_t surface) {
     const std::uint32_t first = chain.front(), before = boundary_before(first);
     const std::uint32_t after = next_boundary(chain.back());
@@ -236,7 +238,7 @@ void FacetMesh::insert_strip(std::span<const std::uint32_t> chain, std::uint32_t
         split_corners.push_back(split_corner(from, last));
         from = last;
     }
-    // Between corner and corner at both ends, in the facets beyond.
+    // Half-edges between the old and the new corner at both ends, in the facets beyond.
     const std::uint32_t begin = edges_[before].twin, end = edges_[after].twin;
     std::uint32_t previous = begin;
     while (edges_[previous].next != begin)
@@ -280,7 +282,7 @@ void FacetMesh::link() {
             }
         }
     }
-    // Both of a pair have the same two corners.
+    // Twins have equal corners.
     struct Ends {
         std::uint32_t low, high, edge;
         bool operator<(const Ends& o) const {

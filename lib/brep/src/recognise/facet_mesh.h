@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The first step: each facet of a shell with the surface of its own motion that it turns away from
-// least, and how facets hang together.
+// Step 1 of recognition: the facets of a shell, linked by half-edges. The label of a facet is the
+// surface of the facet's motion from which the facet deviates least in direction.
 #pragma once
 
 #include "ncsim/base/disjoint_sets.h"
@@ -22,20 +22,20 @@
 namespace ncsim::brep {
 
 struct Facet {
-    std::uint32_t face = 0;  ///< In the boundary.
+    std::uint32_t face = 0;  ///< Number in the boundary.
     Vec3 centroid, normal;
     double area = 0.0;
-    double error_mm = 0.0;  ///< Of what it approximates.
-    std::uint32_t own = 0;  ///< Its own plane.
-    std::uint32_t label = 0;
-    std::uint32_t plain = 0;    ///< Its label where envelopes are left out.
-    bool may_be_true = false;   ///< Its own plane is no approximation.
-    bool was_labelled = false;  ///< With a surface of its motion.
-    bool is_unknown = false;    ///< With none, for its motion leaves others, too.
-    bool is_final = false;      ///< It stays a facet.
+    double error_mm = 0.0;      ///< Error of the tool's polygon and of the path, mm.
+    std::uint32_t own = 0;      ///< Number of the plane of the facet.
+    std::uint32_t label = 0;    ///< Number of the assigned surface.
+    std::uint32_t plain = 0;    ///< Number of the best surface other than envelopes.
+    bool may_be_true = false;   ///< True if the plane of the facet is exact.
+    bool was_labelled = false;  ///< True if a surface of the facet's motion was assigned.
+    bool is_unknown = false;    ///< True if no listed surface fits and the motion may leave others.
+    bool is_final = false;      ///< True if the facet stays a facet.
     bool was_demoted = false;
-    bool was_reassigned = false;  ///< To a neighbour, for a corner that was none.
-    bool is_strip = false;        ///< Without width: no polyhedron has it.
+    bool was_reassigned = false;  ///< True if a neighbour's surface was assigned.
+    bool is_strip = false;        ///< True for inserted strips without width.
 };
 
 struct HalfEdge {
@@ -44,15 +44,15 @@ struct HalfEdge {
 
 class FacetMesh {
 public:
-    /// Of the shell with these faces. All of them must outlive it.
+    /// Links the faces with the numbers `faces`, which form a shell, and labels each face. All
+    /// arguments must outlive the mesh.
     FacetMesh(const Facets& facets, const std::map<cda::Origin, SweptSurfaces>& sources,
               std::span<const std::uint32_t> faces);
 
-    /// Faces do not meet two at an edge: nothing can be made of it.
+    /// True if an edge has other than two adjacent faces; such a shell cannot be recognised.
     bool is_broken() const { return broken_; }
-    /// Facets that had a surface and have none any more. Not those that hang together with at least
-    /// as many that nobody knows a surface for: finer ones are there, too, and keep theirs from
-    /// having one.
+    /// Returns the number of facets whose label was removed. Facets in a connected patch that has
+    /// at least as many unknown facets are not counted, because finer facets would be unknown, too.
     std::size_t demoted_count() const;
 
     std::size_t size() const { return facets_.size(); }
@@ -62,51 +62,56 @@ public:
         facets_[i].label = facets_[i].plain = surface;
         facets_[i].was_reassigned = true;
     }
-    /// A facet for good.
+    /// Makes the facet permanent.
     void fix_as_facet(std::uint32_t i) {
         facets_[i].label = facets_[i].own;
         facets_[i].is_final = true;
     }
-    /// A facet until a neighbour takes it in; for good where that has failed before.
+    /// Removes the label, so that a neighbour may absorb the facet. The second removal is
+    /// permanent.
     void demote_to_facets(std::uint32_t i) {
         facets_[i].label = facets_[i].own;
         facets_[i].is_final = std::exchange(facets_[i].was_demoted, true);
     }
-    /// Off an envelope, onto another surface of its motion. False: it has no other one, or had it.
+    /// Replaces an envelope by another surface of the motion. Returns false if there is no other
+    /// surface or if it has been tried.
     bool replace_envelope_label(std::uint32_t i) {
         facets_[i].label = std::exchange(facets_[i].plain, facets_[i].own);
         return facets_[i].label != facets_[i].own;
     }
-    /// Beside one that nobody knows a surface for it cannot have its own: as if it had none.
+    /// Removes the label and marks the facet as unknown, for envelopes adjacent to unknown facets.
     void mark_unknown(std::uint32_t i) {
         facets_[i].label = facets_[i].own;
         facets_[i].is_unknown = true;
         facets_[i].was_labelled = false;
     }
-    /// A strip without width on another surface, between what is on both sides of these half-edges
-    /// of one label, each of which goes on where the one before ends, and the last of which does
-    /// not end where the first starts. Given up, it is of their label. It is beside what ends
-    /// there.
+    /// Inserts a strip without width on the surface `surface` along the consecutive half-edges of
+    /// `chain`, which separate two labels. A strip whose label is removed gets the label on the
+    /// left of the chain. The ends of the strip are adjacent to the facets at the ends of the
+    /// chain.
+    /// Requires: the chain is open.
     void insert_strip(std::span<const std::uint32_t> chain, std::uint32_t surface);
-    /// The half-edge after that one around what has its label, and the one before.
+    /// Returns the next or the previous half-edge of the boundary between the label on the left of
+    /// `h` and other labels.
     std::uint32_t next_boundary(std::uint32_t h) const;
     std::uint32_t boundary_before(std::uint32_t h) const;
     const Surface& surface(std::uint32_t number) const { return surfaces_[number]; }
     std::uint32_t number_of(const Surface& surface) { return surfaces_.add(surface); }
-    /// Who cut a facet.
+    /// Returns the motions that cut the facet.
     const std::vector<cda::Origin>& origins(std::uint32_t i) const {
         return source_.origins[facets_[i].face];
     }
 
     const std::vector<HalfEdge>& edges() const { return edges_; }
     std::uint32_t to(std::uint32_t h) const { return edges_[edges_[h].next].from; }
-    /// Corners of this shell have numbers of their own.
+    /// Returns the number of corners. Corners are numbered within the shell.
     std::size_t corners() const { return points_.size(); }
     Vec3 point(std::uint32_t v) const { return points_[v]; }
     double length(std::uint32_t h) const { return lengths_[h]; }
     std::vector<Vec3> corners_of(std::uint32_t facet) const;
 
-    /// Does the facet lie on the surface, within `most` (mm) and a turn (a chord)?
+    /// True if the facet lies on the surface within `most` (mm) and a deviation of the normal of
+    /// `most_turn` (as a chord).
     bool fits(const Facet& facet, const Surface& surface, double most, double most_turn) const;
 
 private:
@@ -121,7 +126,7 @@ private:
     void pair_edges(std::uint32_t h, std::uint32_t twin);
     void label_needles();
     void split_fans();
-    // Of a round tool, and not a piece of any of its surfaces.
+    // True if the facet approximates a round surface but has no label.
     bool is_kept(const Facet& facet) const {
         return facet.label == facet.own && !facet.may_be_true;
     }

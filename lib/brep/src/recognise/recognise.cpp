@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Outline, for each shell:
-//  1. Label (facet_mesh.h): each facet with the surface of its own motion that it turns away from
-//  least.
-//  2. Group (face_groups.h): neighbours with the same surface are a face; where the boundaries of
-//  faces meet is a vertex, what runs between two vertices a chain of edges.
-//  3. Solve (chains.h): vertices on all surfaces around them, then the curves between them.
-//  4. Absorb: what has no width on the true surfaces joins a neighbour; where nothing fits, labels
-//  come off the smallest group. From 2 again.
-//  5. Check, as a stranger would. What fails goes the way of 4; what fails too often stays facets.
+// Steps for each shell:
+// 1. Label (facet_mesh.h): assign to each facet the surface of its motion with the closest
+// direction.
+// 2. Group (face_groups.h): adjacent facets with the same surface form a face. The boundaries of
+// faces meet in vertices, connected by chains of edges.
+// 3. Solve (chains.h): vertices on all adjacent surfaces, then the curves between them.
+// 4. Absorb: groups without width on the true surfaces join a neighbour. Where surfaces do not fit
+// together, remove labels, from the smallest group first. Continue with step 2.
+// 5. Check each face as other programs do. Faces that fail are treated as in step 4; after too many
+// failures they stay facets.
 #include "ncsim/brep/recognise.h"
 
 #include "ncsim/brep/flat_part.h"
@@ -45,7 +46,7 @@ namespace ncsim::brep {
 
 namespace {
 
-// Rounds of corners, edges or faces in which failures are tolerated.
+// Number of rounds with failures of corners, edges or faces in which labels are removed on trial.
 constexpr int kLenientRounds = 8;
 
 class ShellRecogniser {
@@ -58,7 +59,7 @@ public:
           work_(5 * mesh_.size()),  // Labels and the first solution cost as much as five rounds.
           face_checks_(apex_) {}
 
-    // The shell as a part without solids; nothing if it cannot be had.
+    // Returns the shell as a part without solids; empty if the shell cannot be recognised.
     std::optional<Part> operator()() {
         // A round over many facets takes long, so there are fewer rounds. If corners alone have
         // failed in the first rounds, strips are narrower than facets, and more rounds do not help.
@@ -74,7 +75,7 @@ public:
             has_joined_ = false;
             if (!settle_groups()) return std::nullopt;
             chains_.trace();
-            // What is wrong with edges is often due to corners that are, and so with faces.
+            // Wrong corners are the usual cause of wrong edges, and wrong edges of wrong faces.
             chains_.solve();
             const Stage stage = failures_.empty()                ? kFaces
                                 : failures_.front().is_of_corner ? kCorners
@@ -102,13 +103,13 @@ public:
         return std::nullopt;
     }
 
-    // As the last attempt left it.
+    // Returns the number of facets without label after the last attempt.
     std::size_t demoted_count() const { return mesh_.demoted_count(); }
     std::uint64_t work() const { return work_; }
     double mitred_mm() const { return std::max(groups_.mitred_mm(), chains_.mitred_mm()); }
 
 private:
-    // Until nothing joins any more. False: there was no end to it.
+    // Repeats grouping until no more groups are merged. Returns false if there is no end.
     bool settle_groups() {
         for (int pass = 0; pass < 1000; ++pass) {
             groups_.gather();
@@ -161,8 +162,8 @@ private:
             name(face, g);
             face.is_facet = groups_.is_facet(g);
             auto& found = face_checks_.lookup(part, face, groups_[g].facets.front());
-            // Facets may be as thin as they are. Beside them readers make edges as wide as they are
-            // off.
+            // Facets may have any width. Next to facets, OpenCASCADE makes edges as wide as they
+            // are off.
             const double width = std::max(kLeastSizeMm, neighbour_error(g));
             is_removed[g] = groups_[g].is_analytic &&
                             2.0 * std::abs(found.measure.area) <= width * found.measure.length;
@@ -174,7 +175,7 @@ private:
         }
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
             const std::uint32_t g = group_of_face_[f];
-            // Before they have gone, they are folds of their neighbours.
+            // Removed groups make the adjacent faces overlap until the next round.
             const bool is_next_to_removed =
                 is_removed[g] ||
                 std::ranges::any_of(groups_.neighbours(g), [&](const auto& neighbour) {
@@ -184,7 +185,8 @@ private:
             if (!is_wanted(g)) continue;
             const double error = neighbour_error(g);
             const double tolerance = error > 0.0 ? 1.5 * kFacetSlack * error : kTangencyGapMm;
-            // Readers lay edges that are off a curved surface down on it, each in its own way.
+            // CAD programs project edges that are off a curved surface onto it, each in another
+            // way.
             const bool is_flat = std::holds_alternative<Plane>(groups_.form_of(g));
             const double clear = error > 0.0 && !is_flat ? 0.05 * tolerance : kReaderClearance;
             double& miss = error > 0.0 ? part.facet_miss_mm : part.miss_mm;
@@ -214,7 +216,7 @@ private:
                 failures_.push_back({std::move(groups)});
                 continue;
             }
-            // A plane is right as a rule; what meets it is not.
+            // A plane is usually right, and its neighbours are wrong.
             if (!groups_[g].is_analytic || std::holds_alternative<Plane>(groups_.form_of(g))) {
                 for (const auto& [n, shared] : groups_.neighbours(g))
                     groups.push_back(n);
@@ -224,12 +226,13 @@ private:
         return part;
     }
 
-    // How near corners in one place are, mm.
+    // Returns the distance below which corners of a group are one point, mm.
     double near_on(std::uint32_t g) const {
         return touching_.contains(groups_[g].surface) ? kTangencyGapMm : kReaderMm;
     }
 
-    // Edges of one corner that meet once more: the surfaces beside them do not touch there.
+    // Adds crossings where two faulty edges with a common corner meet a second time, because the
+    // adjacent surfaces are not tangent there. Returns true if a crossing was added.
     bool add_crossing(const Face& face,
                       const std::vector<std::pair<std::size_t, std::size_t>>& faults) {
         const auto edge = [&](const auto& at) { return face.loops[at.first][at.second].edge; };
@@ -241,7 +244,7 @@ private:
         return any;
     }
 
-    // Of it and the facets beside it; zero if there are none.
+    // Returns the error of the group and its adjacent facets, mm; 0 without facets.
     double neighbour_error(std::uint32_t g) const {
         double error = groups_.is_facet(g) ? groups_.error_of(g) : 0.0;
         for (const auto& [n, shared] : groups_.neighbours(g)) {
@@ -250,7 +253,8 @@ private:
         return error;
     }
 
-    // What the polyhedron had, with its corners where they were, is as good as it was.
+    // True if the group, or a neighbour, was recognised. Faces of the polyhedron alone need no
+    // check.
     bool is_wanted(std::uint32_t g) const {
         return groups_[g].is_analytic ||
                std::ranges::any_of(groups_.neighbours(g), [&](const auto& neighbour) {
@@ -258,7 +262,8 @@ private:
                });
     }
 
-    // Faces all of whose corners are where the polyhedron has them.
+    // Returns for each face whether it is a facet with all corners at their places in the
+    // polyhedron.
     std::vector<bool> unmoved(const Part& part) const {
         std::vector<bool> result;
         for (const Face& face : part.faces) {
@@ -276,7 +281,8 @@ private:
         return result;
     }
 
-    // Facets among facets, at last. `was` has the number that each had.
+    // Adds failures for facets whose moved corners make the facet nonplanar or faulty. `was` has
+    // the previous number of each face.
     void find_unsound_facets(const Part& part, const std::vector<std::uint32_t>& was,
                              const std::vector<bool>& is_as_it_was) {
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
@@ -289,7 +295,7 @@ private:
         }
     }
 
-    // What readers find crossed, of what may still become facets.
+    // Adds failures for planes that cross other faces, if a group there can still become facets.
     void find_crossed_planes(const Part& part, const std::vector<std::uint32_t>& was) {
         for (const std::uint32_t f : crossed_planes(part)) {
             const std::uint32_t g = group_of_face_[was[f]];
@@ -302,14 +308,14 @@ private:
         }
     }
 
-    // The wrong curve, and a face ends somewhere else. A facet may be wider than what is left of
-    // it, by as much at each edge.
+    // True if the face is much larger than its group, as with a wrong curve. A facet may be wider
+    // than the true face by its own width at each edge.
     bool is_too_large(std::uint32_t g, double area) const {
         const double facet = std::sqrt(8.0 * kLargeRadius * groups_.error_of(g));
         return area > 2.0 * (groups_[g].area + groups_.perimeter(g) * facet);
     }
 
-    // A group without a width on the true surfaces.
+    // Adds a failure for a group without width on the true surfaces.
     void vanish(std::uint32_t g, bool is_thin = false) {
         std::vector<std::uint32_t> groups{g};
         if (!groups_[g].is_analytic) {
@@ -328,7 +334,8 @@ private:
         face.origin = face.origins.empty() ? cda::kStockOrigin : face.origins.front();
     }
 
-    // Of the part that was built last.
+    // True if the volume of the last built part agrees with the polyhedron's within the errors of
+    // facets.
     bool has_the_volume() const {
         double polyhedral = 0.0, slack = 0.0;
         for (std::uint32_t i = 0; i < mesh_.size(); ++i) {
@@ -340,9 +347,9 @@ private:
     }
 
     enum Stage { kCorners, kEdges, kFaces };
-    std::array<int, 3> spent_{};                // rounds with each
-    std::vector<std::uint32_t> group_of_face_;  // of the part that was built last
-    double volume_ = 0.0;                       // of it, by cones from the apex
+    std::array<int, 3> spent_{};                // rounds with failures of each stage
+    std::vector<std::uint32_t> group_of_face_;  // group of each face of the last built part
+    double volume_ = 0.0;  // volume of the last built part, by cones from the apex
     FacetMesh mesh_;
     Vec3 apex_;
     std::uint64_t most_work_, work_;  // facets times rounds
@@ -350,13 +357,14 @@ private:
     Failures failures_;  // of this round
     Chains chains_{mesh_, groups_, failures_};
     FaceCheckCache face_checks_;  // from the apex
-    // Surfaces on which corners that are no farther apart than programs round are one.
+    // Surfaces on which corners within the rounding of programs are one point.
     std::set<std::uint32_t> touching_;
-    bool has_joined_ = false;  // corners, in this round: no face was given up for them
+    // True if corners were merged in this round instead of removing labels.
+    bool has_joined_ = false;
 };
 
-// Adds what `from` has to `to`; the numbers of its faces there. Vertices and edges that are not
-// used stay behind.
+// Appends `from` to `to`, without unused vertices and edges. Returns the numbers of its faces in
+// `to`.
 Shell append(Part& to, const Part& from) {
     std::vector<std::uint32_t> vertices(from.vertices.size(), kNone);
     std::vector<std::uint32_t> edges(from.edges.size(), kNone);
@@ -389,7 +397,7 @@ Shell append(Part& to, const Part& from) {
     return shell;
 }
 
-// The facets of one shell alone.
+// Returns the facets of one shell.
 Facets only_shell(const Facets& facets, const std::vector<std::uint32_t>& faces) {
     Facets only;
     only.boundary.vertices = facets.boundary.vertices;
@@ -402,7 +410,7 @@ Facets only_shell(const Facets& facets, const std::vector<std::uint32_t>& faces)
     return only;
 }
 
-// Of round tools.
+// Marks the faces that round tools cut as facets.
 void mark_facets(Part& part, const std::map<cda::Origin, SweptSurfaces>& sources) {
     for (Face& face : part.faces) {
         face.is_facet = std::ranges::any_of(face.origins, [&](cda::Origin origin) {
@@ -438,8 +446,8 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, SweptSurf
             flat_shells = shells_of(flat->boundary);
         }
         const bool is_there = s < flat_shells.size() && !flat_shells[s].empty();
-        // Facets of different motions stay apart for recognition: joined, they may be fewer than
-        // what came out.
+        // Facets of different motions stay separate for recognition; joined, they may be fewer than
+        // the faces of the result.
         if (part && (!is_there || part->faces.size() <= flat_shells[s].size()))
             return append(result.part, *part);
         ++result.shells_kept;
