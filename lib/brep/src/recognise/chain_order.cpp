@@ -86,7 +86,7 @@ bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
         const auto is_at = [&](const Vertex& v) { return norm(v.at - *bend) <= kReaderMm; };
         if (bend && !is_at(choice.near) && !is_at(choice.far) && !is_bend_elsewhere(choice.far))
             continue;
-        // Of four faces, each corner has one that is not adjacent to the new chain.
+        // With four faces, each corner has a face that is not adjacent to the new chain.
         if (count == 4 &&
             is_past_tangency({b.right, a.left}, a.right, c.right, choice.near.at, choice.far.at)
                 .value_or(false))
@@ -215,9 +215,9 @@ void Chains::divide(std::uint32_t number, std::size_t i, Vec3 at) {
     bend(added);
 }
 
-// Divides the edge of two ramps at the corner of their bend if the corner is nearer to an end of
-// the edge than facets are wide, and the edge of two pipes where it changes from one of their two
-// ellipses to the other.
+// Divides the edge of two ramps at the corner of the bend if facets are wider than the distance
+// from the corner to an end of the edge. Divides the edge of two pipes where the edge changes from
+// the first ellipse of the pipes to the second.
 void Chains::bend(std::uint32_t number) {
     const Chain& chain = chains_[number];
     const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
@@ -329,9 +329,9 @@ void Chains::move_to_wall(std::uint32_t number) {
 }
 
 // Merges vertices with the same faces at the same point, and closes pinches. Facets between two
-// poses of a turning tool may be needles, so the polyhedron may have two corners in place of one.
-// Where faces meet in a single curve, what lies between them is reduced to points on the curve
-// without area.
+// poses of a turning tool may be needles, so the polyhedron may have two corners in place of a
+// single corner. Where faces meet in a single curve, the material between the faces is reduced to
+// points on the curve without area.
 void Chains::join_same_corners() {
     for (const Chain& chain : chains_) {
         const bool is_same = chain.from != chain.to && !chain.is_closed &&
@@ -419,8 +419,9 @@ std::optional<std::array<std::uint32_t, 2>> Chains::tangent_sides(const Vertex& 
 }
 
 // Inserts a wall between the two faces of each vertex in `narrow` by flipping the chain between
-// them. A wall next to a move that is shorter than a facet is wide ends where both poses of the
-// tool have facets in one plane. On the true surfaces it continues between both faces.
+// both faces. A wall next to a move that is shorter than a facet is wide ends where both poses of
+// the tool have facets in a common plane. On the true surfaces the wall continues between both
+// faces.
 void Chains::widen(const std::vector<std::uint32_t>& narrow) {
     if (narrow.empty()) return;
     ChainsAt at = chains_at();
@@ -455,7 +456,7 @@ bool Chains::is_reversed(Chain& chain) const {
     if (chain.is_closed || chain.has_vanished) return false;
     const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
     const Vec3 step = to.at - from.at;
-    // A chain next to it, flipped later, may have moved its end.
+    // A later flip may have moved the end.
     if (chain.is_flipped) return dot(step, chain.direction) < 0.0;
     if (from.has_failed || to.has_failed || norm(step) <= kReaderMm) return false;
     if (from.groups.size() == 3 && to.groups.size() == 3) {
@@ -474,8 +475,8 @@ bool Chains::is_reversed(Chain& chain) const {
 // True if a piece of the curve from `from` to `to`, with the faces `behind` and `ahead` beyond its
 // ends, lies on the wrong side of a tangency curve. Where the profile of a tool passes from a side
 // to a corner radius, both faces end in a tangency curve. At a bend of the path two such faces meet
-// two others in one curve, each point of which must lie on the right side of both tangency curves.
-// Empty if the faces at the ends are not tangent to `sides`.
+// two further faces in a single curve, and each point of the curve must lie on the right side of
+// both tangency curves. Empty if the faces at the ends are not tangent to `sides`.
 std::optional<bool> Chains::is_past_tangency(const std::array<std::uint32_t, 2>& sides,
                                              std::uint32_t behind, std::uint32_t ahead, Vec3 from,
                                              Vec3 to) const {
@@ -558,8 +559,8 @@ bool Chains::are_walls(const std::vector<std::uint32_t>& groups) const {
 }
 
 // Flips the chain: with A on the left, B on the right, C behind and D ahead, the chain from ABC to
-// ABD becomes one from ACD to BCD with D on the left. If three of these surfaces have no common
-// point (a wall, its round end and another wall), the next chain is flipped, too, up to `most`
+// ABD becomes a chain from ACD to BCD with D on the left. If three of the surfaces have no common
+// point (a wall, its round end and a second wall), flips the next chain as well, up to `most`
 // chains. Returns false, without changes, if no solution was found.
 bool Chains::flip(std::uint32_t number, ChainsAt& at, int most) {
     const std::optional<Crossing> crossing = crossing_at(number, at);
@@ -591,7 +592,7 @@ bool Chains::flip(std::uint32_t number, ChainsAt& at, int most) {
     const std::array<std::pair<std::uint32_t, Vertex>, 2> before{
         {{chain.from, from}, {chain.to, to}}};
     const std::array<std::array<std::uint32_t, 3>, 2> at_before{at[chain.from], at[chain.to]};
-    // One of the two chains at each end moves to the other end.
+    // Of the two chains at each end, the chain next to the moved face changes the end.
     std::ranges::replace(at[chain.to], up, kNone);
     std::ranges::replace(at[chain.from], down, up);
     *std::ranges::find(at[chain.to], kNone) = down;

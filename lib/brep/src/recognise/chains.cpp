@@ -26,9 +26,9 @@ namespace {
 
 constexpr int kTip = -1;  // in place of a number of edges
 
-// Returns the curve from `from` to `to` along the circle in which two surfaces are tangent. Such
-// corners lie on both surfaces within the rounding of programs, but off the circle by much more,
-// because the surfaces are that close to each other there.
+// Returns the curve from `from` to `to` along the circle in which two surfaces are tangent. The
+// surfaces are so close to each other there that a corner on both surfaces within the rounding of
+// programs may be farther from the circle.
 std::optional<Spline> spline_along_circle(const Form& a, const Form& b, Vec3 from, Vec3 to,
                                           std::vector<Vec3> points) {
     const auto touching = tangency_surface(a, b);
@@ -78,7 +78,7 @@ void Chains::trace() {
         if (degree[v] == 2 && (is_tip(h) || is_bend(h, degree) || is_next_to_facet(h)))
             degree[v] = kTip;
         if (degree[v] == 2) continue;
-        // The group on the other side is that of the next boundary.
+        // The next boundary has the group on the right.
         Vertex& vertex = vertices_[vertex_at(v)];
         vertex.edge = h;
         if (vertex.groups.empty())
@@ -229,8 +229,8 @@ void Chains::solve() {
 
 // Aligns vertices along generators of cylinders. Where walls are tangent within rounding, corners
 // above each other differ sideways by as much, and OpenCASCADE finds the wire open. All vertices
-// connected by such edges move onto the line through the vertex with the smallest miss, unless they
-// get farther from their surfaces than vertices may be.
+// connected by such edges move onto the line through the vertex with the smallest miss, within the
+// tolerance of vertices.
 void Chains::align_on_generators() {
     std::vector<std::uint32_t> above(vertices_.size());
     std::iota(above.begin(), above.end(), 0U);
@@ -446,7 +446,7 @@ void Chains::solve_chain(Chain& chain) {
     std::optional<Curve> curve = intersection_curve(a, b, from.at, to.at, middle);
     const bool is_straight = curve && std::holds_alternative<Line>(*curve);
     if (is_straight) {
-        // A line cannot return to its start, nor run against the polyhedron's.
+        // A line cannot return to its start, nor run against the direction in the polyhedron.
         const bool is_back =
             !chain.is_flipped && dot(to.at - from.at, points.back() - points.front()) < 0.0;
         if (is_loop || (is_back && norm(to.at - from.at) > kReaderMm))
@@ -464,7 +464,7 @@ void Chains::solve_chain(Chain& chain) {
             std::holds_alternative<Coil>(a) || std::holds_alternative<Envelope>(a);
         const Form& first = is_moved && touching ? b : a;
         auto spline = spline_of(chain, first, second, points);
-        // Where facets are large, corners of the polygon may lie beyond the true ends.
+        // If facets are large, corners of the polygon may lie beyond the true ends.
         if (!spline && !is_loop &&
             (chain.is_flipped || dot(to.at - from.at, path_direction(chain)) > 0.0))
             spline = intersection_spline(first, second, {from.at, to.at});

@@ -26,10 +26,11 @@ struct Chain {
     bool is_closed = false;                  ///< True for a loop without a vertex.
     std::uint32_t from = kNone, to = kNone;  ///< Numbers of vertices.
     bool has_vanished = false;
-    bool has_failed = false;  ///< True if the chain or one of its ends has no solution.
+    bool has_failed = false;  ///< True if the chain or an end of it has no solution.
     bool is_flipped = false;  ///< True if the chain separates other groups than its half-edges.
     Vec3 direction{};         ///< Direction at the time of the flip; zero if unknown.
-    bool is_direction_fixed = false;  ///< True if tangencies of adjacent faces determine it.
+    bool is_direction_fixed =
+        false;  ///< True if tangencies of adjacent faces determine `direction`.
     /// True for a flipped chain without half-edges, between vertices that were one corner.
     bool is_inserted = false;
     /// Chain that an inserted chain precedes (`is_before`) or follows in loops.

@@ -269,9 +269,9 @@ bool Groups::absorb_ledges() {
     return any;
 }
 
-// Absorbs fins. Two walls in one place that face away from each other have no material between
-// them; facets left a fin because the paths repeat with rounding. The fin gets the surface of the
-// face below.
+// Absorbs fins. Two coincident walls that face away from each other have no material between them;
+// facets left a fin because the paths repeat with rounding. The fin gets the surface of the face
+// below.
 bool Groups::absorb_fins() {
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
@@ -294,7 +294,7 @@ bool Groups::absorb_fin(std::uint32_t g, std::uint32_t n) {
     if (!groups_[g].is_analytic || !groups_[n].is_analytic || !thickness ||
         *thickness > kTangencyGapMm || *thickness < -error)
         return false;
-    // The fin includes the facets that close it above.
+    // The fin includes its upper facets.
     std::set<std::uint32_t> fin{g, n}, adjacent;
     for (const std::uint32_t side : {g, n}) {
         for (const auto& [m, shared] : neighbours(side)) {
@@ -331,7 +331,7 @@ bool Groups::insert_strips() {
         const std::optional<Torus>& torus = entry->second;
         if (!torus) continue;
         const Surface corner{*torus, true};
-        // Flat ends of polygons are wider than those of the profile.
+        // A polygon has a wider flat end than the profile.
         const bool is_beyond =
             is_new && std::ranges::all_of(groups_[g].facets, [&](auto i) {
                 const Facet& facet = mesh_[i];
@@ -440,9 +440,9 @@ bool Groups::absorb(std::uint32_t g, double errors, double most_turn) {
     return true;
 }
 
-// Merges two adjacent planes that differ by the rounding of programs, because what lies between
-// them has no width. The smaller one gets the surface of the larger one unless tangencies would be
-// lost. Returns the merged group.
+// Merges two adjacent planes that differ by the rounding of programs, because the material between
+// both has no width. The smaller plane gets the surface of the larger plane, or conversely if
+// tangencies would be lost. Returns the merged group.
 std::optional<std::uint32_t> Groups::merge_into_wall(std::uint32_t g) {
     const auto is_wall = [&](std::uint32_t n) {
         return groups_[n].is_analytic && std::holds_alternative<Plane>(form_of(n)) &&
@@ -464,7 +464,7 @@ std::optional<std::uint32_t> Groups::merge_into_wall(std::uint32_t g) {
                    });
         });
     };
-    // Surfaces tangent to the removed plane must be tangent to the other one.
+    // Surfaces tangent to the removed plane must be tangent to the kept plane.
     const auto keeps_touching = [&](std::uint32_t removed, std::uint32_t kept) {
         return std::ranges::all_of(neighbours(removed), [&](const auto& neighbour) {
             const Form& round = form_of(neighbour.first);
@@ -506,8 +506,8 @@ bool Groups::lies_on(std::uint32_t g, std::uint32_t n, double errors, double mos
     });
 }
 
-// Returns the recognised groups among `groups`; if there are none, those that are nearest, within
-// three steps, because these moved the corners.
+// Returns the recognised groups among `groups`; if there are none, the nearest recognised groups
+// within three steps, because those moved the corners.
 std::vector<std::uint32_t> Groups::adjacent_analytic_groups(
     std::vector<std::uint32_t> groups) const {
     for (int step = 0;; ++step) {

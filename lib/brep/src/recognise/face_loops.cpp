@@ -26,8 +26,8 @@ bool lies_between(Vec3 p, Vec3 from, Vec3 to) {
     return t > 0.0 && t < 1.0 && norm(p - from - t * along) <= kReaderMm;
 }
 
-// Inserts `slit` next to `longer` into the loops of the face on the other side of `longer`. That
-// face runs along both, one after the other.
+// Inserts `slit` next to `longer` into the loops of the adjacent face of `longer`, which runs along
+// both edges in succession.
 bool divide(std::vector<Loop>& loops, const EdgeUse& longer, const EdgeUse& slit, bool is_there) {
     for (Loop& loop : loops) {
         const auto at = std::ranges::find(loop, longer.edge, &EdgeUse::edge);

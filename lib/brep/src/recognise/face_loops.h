@@ -22,9 +22,10 @@ using Corners = std::pair<std::uint32_t, std::uint32_t>;
 class FaceLoops {
 public:
     /// Takes the loops of solved chains, unites the ends of vanished chains and closes slits. In a
-    /// slit the loop runs along a line and back: two walls that touch a third one in one line. The
-    /// faces on both sides of the slit then meet in the line. If one of both edges is longer, the
-    /// rest of it stays in the loop. Both arguments must outlive the loops.
+    /// slit the loop runs along a line and back, as with two walls that touch a third wall in a
+    /// line. The faces on both sides of the slit then meet in the line. If the edges have different
+    /// lengths, the rest of the longer edge stays in the loop. Both arguments must outlive the
+    /// loops.
     FaceLoops(const Groups& groups, const Chains& chains);
 
     /// Returns pairs of vertices of a group within `near_mm` of each other without an edge between

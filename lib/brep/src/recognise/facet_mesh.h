@@ -49,7 +49,7 @@ public:
     FacetMesh(const Facets& facets, const std::map<cda::Origin, SweptSurfaces>& sources,
               std::span<const std::uint32_t> faces);
 
-    /// True if an edge has other than two adjacent faces; such a shell cannot be recognised.
+    /// True if an edge does not have two adjacent faces; recognition is not possible then.
     bool is_broken() const { return broken_; }
     /// Returns the number of facets whose label was removed. Facets in a connected patch that has
     /// at least as many unknown facets are not counted, because finer facets would be unknown, too.
@@ -73,8 +73,8 @@ public:
         facets_[i].label = facets_[i].own;
         facets_[i].is_final = std::exchange(facets_[i].was_demoted, true);
     }
-    /// Replaces an envelope by another surface of the motion. Returns false if there is no other
-    /// surface or if it has been tried.
+    /// Replaces an envelope by the best surface of the motion that is no envelope. Returns false if
+    /// there is none or if it has been tried.
     bool replace_envelope_label(std::uint32_t i) {
         facets_[i].label = std::exchange(facets_[i].plain, facets_[i].own);
         return facets_[i].label != facets_[i].own;

@@ -216,7 +216,7 @@ private:
                 failures_.push_back({std::move(groups)});
                 continue;
             }
-            // A plane is usually right, and its neighbours are wrong.
+            // Planes are usually right and their neighbours wrong.
             if (!groups_[g].is_analytic || std::holds_alternative<Plane>(groups_.form_of(g))) {
                 for (const auto& [n, shared] : groups_.neighbours(g))
                     groups.push_back(n);
