@@ -13,7 +13,8 @@ namespace ncsim::brep {
 
 namespace {
 
-// Planes whose edges are all so short that readers lose them, and then hang together with nothing.
+// Returns the planar faces whose edges are all so short that CAD readers lose every edge. The face
+// is then connected to no other face.
 std::vector<std::uint32_t> planes_of_no_size(const Part& part) {
     std::vector<std::uint32_t> found;
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
@@ -27,7 +28,8 @@ std::vector<std::uint32_t> planes_of_no_size(const Part& part) {
     return found;
 }
 
-// How far each corner is off the planes around it, at most: readers take what is nearer for it.
+// Returns the width of each vertex: the largest distance from the planes of adjacent faces, mm. CAD
+// readers take points within this distance for the vertex.
 std::vector<double> width_of_corners(const Part& part) {
     std::vector<double> width(part.vertices.size(), 0.0);
     for (const Face& face : part.faces) {
@@ -42,8 +44,8 @@ std::vector<double> width_of_corners(const Part& part) {
     return width;
 }
 
-// Is what a loop of a plane goes round narrower than so many of its corners are wide? Not where it
-// has round edges.
+// True if the region inside a loop of straight edges is narrower than `corners` times the largest
+// width of a corner of the loop. The width of the region is its area over half its perimeter.
 bool has_no_width(const Part& part, const Plane& plane, const Loop& loop,
                   const std::vector<double>& width_of, double corners) {
     double perimeter = 0.0, twice_area = 0.0, widest = 0.0;
@@ -60,14 +62,15 @@ bool has_no_width(const Part& part, const Plane& plane, const Loop& loop,
     return std::abs(twice_area) < corners * widest * perimeter;
 }
 
-// Planes that readers lose in their corners, or holes of theirs.
+// Returns the planar faces that CAD readers lose because the width of a corner exceeds the width of
+// the face or of a hole.
 std::vector<std::uint32_t> planes_of_no_width(const Part& part) {
     const std::vector<double> width_of = width_of_corners(part);
     std::vector<std::uint32_t> found;
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         const auto* plane = std::get_if<Plane>(&part.faces[f].surface.form);
         if (!plane) continue;
-        // Readers may not find a hole of twice the width.
+        // CAD readers may miss a hole that is narrower than two widths of a corner.
         const std::vector<Loop>& loops = part.faces[f].loops;
         const auto is_narrow = [&](const Loop& loop) {
             return has_no_width(part, *plane, loop, width_of, &loop == &loops.front() ? 1.0 : 2.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Planes with which readers do not get along.
+// Planar faces that CAD readers reject or lose.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -10,10 +10,13 @@
 
 namespace ncsim::brep {
 
-/// Planes, ascending, in which readers find a fault (crossed_planes()), or nothing at all: their
-/// edges, which are straight, are all shorter than 3e-5 mm, or they are narrower than what one of
-/// their corners is off the planes around it, or a hole than twice that. O(n log n) for n edges
-/// that are spread evenly.
+/// Returns the planar faces that CAD readers reject or lose, ascending:
+/// - faces of crossed_planes();
+/// - faces whose edges all are straight and shorter than 3e-5 mm;
+/// - faces narrower than the distance of one of their corners from an adjacent plane, and faces
+///   with a hole narrower than twice that distance. Loops with curved edges are not tested for
+///   width.
+/// Cost: O(n log n) for n evenly distributed edges.
 std::vector<std::uint32_t> degenerate_planes(const Part& part);
 
 }  // namespace ncsim::brep

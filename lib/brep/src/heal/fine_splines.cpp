@@ -20,13 +20,13 @@ namespace ncsim::brep {
 
 namespace {
 
-// A point of a spline with the derivative by the parameter.
+// Point of a spline with the derivative by the parameter.
 struct SplineKnot {
     double t = 0.0;
     Vec3 at, derivative;
 };
 
-// Point and derivative of the cubic between two knots.
+// Returns point and derivative of the cubic between two knots at the share `s` of the interval.
 SplineKnot between(const SplineKnot& from, const SplineKnot& to, double s) {
     const double width = to.t - from.t, r = 1.0 - s;
     const Vec3 first = width * from.derivative, last = width * to.derivative;
@@ -38,7 +38,7 @@ SplineKnot between(const SplineKnot& from, const SplineKnot& to, double s) {
                              (s * (3.0 * s - 2.0)) * last)};
 }
 
-// The knots of a spline with the derivatives that its control points give.
+// Returns the knots of a spline with the derivatives that follow from the control points.
 std::vector<SplineKnot> knots_of(const Spline& spline) {
     const auto& p = spline.points;
     const auto& k = spline.knots;
@@ -73,7 +73,7 @@ class Refiner {
 public:
     Refiner(const Form& a, const Form& b) : forms_{&a, &b} {}
 
-    // Returns the spline with more knots; nothing if no piece is divided.
+    // Returns the spline with more knots; no value if no piece is divided.
     std::optional<Spline> operator()(const Spline& spline) {
         const std::vector<SplineKnot> knots = knots_of(spline);
         std::vector<SplineKnot> finer{knots.front()}, piece;
@@ -107,8 +107,9 @@ private:
                divide(*middle, to, halvings - 1, knots);
     }
 
-    // Moves a knot onto both forms, across its direction. Where the forms touch along the curve,
-    // the knot moves along their normal alone, and keeps its direction.
+    // Moves a knot onto both forms, perpendicular to the curve. If the forms are tangent along the
+    // curve, the knot moves along the common normal only, and the derivative stays. No value if the
+    // knot remains off a form or moves by more than kLeastSizeMm.
     std::optional<SplineKnot> on_both(SplineKnot knot) {
         const Vec3 start = knot.at;
         const auto normals = [&] {
@@ -137,7 +138,7 @@ private:
     }
 
     std::array<const Form*, 2> forms_;
-    std::array<ProjectionSeed, 3> seeds_;  // For both forms and the plane across.
+    std::array<ProjectionSeed, 3> seeds_;  // For both forms and the plane across the curve.
 };
 
 }  // namespace
@@ -158,7 +159,8 @@ void refine_splines(Part& part) {
         before[e] = std::exchange(part.edges[e].curve, std::move(*finer));
         changed.insert({f, g});
     }
-    // A finer edge may cross another one near a corner that is off its curve.
+    // Restores the old curves of faces with faults: a finer edge may cross another edge near a
+    // corner that is off the curve.
     while (!changed.empty()) {
         const std::uint32_t f = *changed.begin();
         changed.erase(changed.begin());

@@ -18,7 +18,8 @@ namespace ncsim::brep {
 
 namespace {
 
-// Do loops go from corner to corner, and along each edge twice, there and back?
+// True if all loops are connected, with at least two edges, and each edge is unused or used twice,
+// in opposite directions.
 bool is_closed(const Part& part) {
     struct Passed {
         int times = 0, net = 0;
@@ -64,7 +65,8 @@ FlatPart flat_part(const std::function<Facets(double times)>& facets) {
         const Facets joined = facets(times);
         FlatPart made{faceted(joined.boundary, joined.origins), times};
         enforce_min_vertex_distance(made.part);
-        // Nothing is right if there was nothing; what is thinner than the tolerance has gone.
+        // At the original tolerance, an empty part means that there are no facets. At larger
+        // factors, a body thinner than the tolerance has vanished.
         const bool is_empty = made.part.faces.empty();
         made.is_sound =
             is_empty ? times == 1.0 : is_sound_polyhedron(made.part, cda::volume(joined.boundary));

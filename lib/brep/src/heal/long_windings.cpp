@@ -23,7 +23,7 @@ namespace ncsim::brep {
 
 namespace {
 
-// The angle about the axis of a face, which goes on after a turn.
+// Angle of points about the axis of a cylinder or coil, continuous beyond a whole turn.
 class Winding {
 public:
     explicit Winding(const Form& form)
@@ -32,7 +32,8 @@ public:
     }
     bool is_known() const { return cylinder_ || coil_; }
 
-    // Returns the angle of a point, degrees; of those a turn apart the one nearest to `nearby`.
+    // Returns the angle of a point, degrees. On cylinders, whole turns are added until the angle is
+    // as near to `nearby` as possible.
     double angle(Vec3 p, double nearby) const {
         if (coil_) return project_onto(*coil_, p).turn / kRadiansPerDegree;
         const Vec3 v = p - cylinder_->origin;
@@ -56,7 +57,7 @@ private:
     Vec3 x_;
 };
 
-// Angles along a loop: at even steps of each use of an edge, in its direction.
+// Angles along a loop, at even steps of each edge in the direction of use.
 struct Course {
     struct Step {
         std::size_t use = 0;
@@ -105,8 +106,8 @@ double share_at(const Part& part, const Edge& edge, const Course::Step& step,
     return 0.5 * (from + to);
 }
 
-// Divides the face of a coil at `degrees`; the new face is the last of the part. False if the face
-// does not cross that angle in two places, of edges that can be divided.
+// Divides the face of a coil at `degrees`; the new face is the last of the part. False unless the
+// loop passes this angle in exactly two places, on edges that can be divided.
 bool divide(Part& part, std::uint32_t f, const Winding& winding, const Course& course,
             double degrees) {
     EdgeSplitter splitter(part);
@@ -179,7 +180,7 @@ bool divide_edges(Part& part, std::uint32_t f, const Winding& winding, double de
     return false;
 }
 
-// Returns where the loops of a face pass the meridian, ascending along the axis.
+// Returns the passages of all loops of a face through the meridian, ascending along the axis.
 std::vector<Passage> passages_of(const Part& part, std::uint32_t f, const Winding& winding,
                                  double degrees) {
     std::vector<Passage> passages;
@@ -203,13 +204,14 @@ std::vector<Passage> passages_of(const Part& part, std::uint32_t f, const Windin
     return passages;
 }
 
-// Divides the face of a cylinder along a meridian. New faces are the last ones of the part.
+// Divides the face of a cylinder along a meridian. New faces are the last faces of the part. False
+// if an edge cannot be divided, the passages form no pairs, or a loop does not pass the meridian.
 bool cut_at_meridian(Part& part, std::uint32_t f, const Winding& winding, double degrees) {
     if (!divide_edges(part, f, winding, degrees)) return false;
     const auto passages = passages_of(part, f, winding, degrees);
     if (passages.size() % 2 != 0) return false;
-    // The loops are linked anew: an arrival at a passage continues along the bridge to the other
-    // passage of the pair, and from there.
+    // Links the loops anew: a loop that arrives at a passage continues along the bridge to the
+    // second passage of the pair, and from there with the edge that leaves this passage.
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> leaving;  // use -> passage
     for (std::size_t i = 0; i < passages.size(); ++i)
         leaving[{passages[i].loop, passages[i].use}] = i;
@@ -260,7 +262,7 @@ bool is_sound(const Part& part, std::uint32_t face) {
     return faults_of(part, face, kTangencyGapMm, miss).empty();
 }
 
-// True if a face of one loop goes no more than half a turn.
+// True if a face has a single loop, which covers at most half a turn.
 bool is_half(const Part& part, std::uint32_t f, const Winding& winding) {
     const auto& loops = part.faces[f].loops;
     if (loops.size() != 1) return false;
@@ -268,8 +270,8 @@ bool is_half(const Part& part, std::uint32_t f, const Winding& winding) {
     return course.high - course.low <= kHalfTurnDegrees + kPointError;
 }
 
-// Cuts the face of a cylinder along two meridians, `aside` of a quarter of a turn. False if a part
-// of it has faults.
+// Cuts the face of a cylinder along the meridians at `aside` and `aside` + 180 degrees. False if a
+// cut fails or a piece has faults.
 bool split_wall(Part& part, std::uint32_t face, const Winding& winding, double aside) {
     std::vector<std::uint32_t> pieces{face};
     for (const double degrees : {aside, aside + kHalfTurnDegrees}) {
@@ -284,8 +286,8 @@ bool split_wall(Part& part, std::uint32_t face, const Winding& winding, double a
     return std::ranges::all_of(pieces, [&](std::uint32_t f) { return is_sound(part, f); });
 }
 
-// Halves the face of a coil until no part of it goes on for more than half a turn. False if one
-// cannot be halved or has faults.
+// Divides the face of a coil until each piece covers at most half a turn. Cuts are `aside` degrees
+// from the middle of a piece. False if a piece cannot be divided or has faults.
 bool split_strip(Part& part, std::uint32_t face, const Winding& winding, double aside) {
     if (part.faces[face].loops.size() != 1) return false;
     std::vector<std::uint32_t> open{face};
@@ -306,7 +308,8 @@ bool split_strip(Part& part, std::uint32_t face, const Winding& winding, double 
     return true;
 }
 
-// True if a loop of the face winds by more than a turn. Such loops have edges that are splines.
+// True if a loop of the face covers more than a turn and a degree. Loops without spline edges never
+// do.
 bool is_long(const Part& part, const Face& face) {
     const Winding winding(face.surface.form);
     if (!winding.is_known() || face.is_facet) return false;
@@ -334,8 +337,8 @@ void split_long_windings(Part& part) {
         const Winding winding(form);
         const Part whole = part;
         const auto split = std::holds_alternative<Cylinder>(form) ? split_wall : split_strip;
-        // Corners of programs are at whole quarters of a turn. Cuts are elsewhere, and not near a
-        // knot of a spline.
+        // Programs have corners at whole quarters of a turn, so cuts avoid these angles, and knots
+        // of splines. If no angle gives sound faces, the face stays whole.
         for (const double aside : {1.234, 7.654, 23.456}) {
             if (split(part, f, winding, aside)) break;
             part = whole;

@@ -21,6 +21,7 @@ namespace ncsim::brep {
 
 namespace {
 
+// Implementation of join_touching_corners().
 class TouchingCorners {
 public:
     TouchingCorners(Part& part, double near_mm)
@@ -53,8 +54,8 @@ public:
     }
 
 private:
-    // Pairs of its corners, and corners and edges; those that come near along the axis along which
-    // it is longest.
+    // Joins near corners of a face, and corners with near edges. Corners are sorted along the
+    // longest axis of the face; only pairs that are near along this axis are tested.
     void find_touches(const Face& face) {
         Numbers corners = corners_of(part_, face);
         Vec3 low = part_.vertices[corners.front()], high = low;
@@ -86,7 +87,8 @@ private:
         }
     }
 
-    // Not the ends of an edge of the face: there would be nothing between them.
+    // Merges two near corners unless no corner is flat, or both are the ends of an edge of the
+    // face: the merged edge would have no length.
     void join_corners(const Face& face, std::uint32_t a, std::uint32_t b) {
         if (norm(part_.vertices[b] - part_.vertices[a]) > near_) return;
         a = current(a);
@@ -115,14 +117,15 @@ private:
             on.emplace_back(t, v);
     }
 
-    // What a corner has become.
+    // Returns the corner into which `v` has been merged; `v` if there was no merge.
     std::uint32_t current(std::uint32_t v) const {
         for (auto at = merged_into_.find(v); at != merged_into_.end(); at = merged_into_.find(v))
             v = at->second;
         return v;
     }
 
-    // What the corners on an edge with these ends have become, in order: some of them an end.
+    // Sorts the corners on an edge from `from` to `to` along the edge, replaces each by the corner
+    // into which it has been merged, and erases duplicates and the ends of the edge.
     void merge_into(std::vector<std::pair<double, std::uint32_t>>& on, std::uint32_t from,
                     std::uint32_t to) const {
         std::sort(on.begin(), on.end());
@@ -134,7 +137,7 @@ private:
         on.erase(std::unique(on.begin(), on.end(), is_same), on.end());
     }
 
-    // Edges of other faces both ends of which have become one.
+    // Erases straight edges of all faces whose ends have been merged.
     void drop_points() {
         for (Face& face : part_.faces) {
             for (Loop& loop : face.loops) {
@@ -148,6 +151,7 @@ private:
         }
     }
 
+    // Divides edges at the corners on them, in all loops.
     void divide() {
         std::map<std::uint32_t, Numbers> pieces;
         for (const auto& [number, on] : points_on_edge_) {
@@ -181,9 +185,10 @@ private:
 
     Part& part_;
     double near_;
-    std::vector<bool> is_flat_edge_, is_flat_;  // planes beside it, or around it, and lines alone
+    // True for edges and vertices at which only planes and lines meet.
+    std::vector<bool> is_flat_edge_, is_flat_;
     std::map<std::uint32_t, std::uint32_t> merged_into_;
-    // Of edges: which corners lie on them, and how far from their start, of 1.
+    // Corners on each edge, with the share of the edge's length up to the corner.
     std::map<std::uint32_t, std::vector<std::pair<double, std::uint32_t>>> points_on_edge_;
 };
 
@@ -195,7 +200,7 @@ bool revisits_vertex(const Part& part, const Loop& loop) {
     return std::ranges::adjacent_find(corners) != corners.end();
 }
 
-// Loops that come to each corner once.
+// Divides a loop into loops that visit each corner once.
 std::vector<Loop> simple_loops(const Part& part, const Loop& loop) {
     std::vector<Loop> simple;
     Loop path;
@@ -214,14 +219,14 @@ Face copy_with_loops(const Face& face, std::vector<Loop> loops) {
     return {face.surface, face.frame, std::move(loops), face.origin, face.origins, face.is_facet};
 }
 
-// The same surface with one loop, to measure: as copy_with_loops(), without the motions that cut
-// it.
+// Returns the face with a single loop, for measurements: like copy_with_loops(), without the list
+// of motions that cut the face.
 Face copy_with_loop(const Face& face, const Loop& loop) {
     return {face.surface, face.frame, {loop}, face.origin, {}, face.is_facet};
 }
 
-// For each face that there is to be, its loops; the outline first. Nothing where that cannot be
-// told.
+// Returns the loops of each face into which `face` is split, the outline first. Empty if a hole
+// lies in no outline.
 std::vector<std::vector<Loop>> parts_of(const Part& part, const Face& face) {
     std::vector<std::vector<Loop>> parts;
     std::vector<Loop> holes;
@@ -245,7 +250,7 @@ std::vector<std::vector<Loop>> parts_of(const Part& part, const Face& face) {
     return parts;
 }
 
-// Are its loops another outline than the first, or does that not go round?
+// True if the first of several loops is not an outline, or a later loop is an outline.
 bool has_other_outline(const Part& part, const Face& face) {
     if (face.loops.size() < 2) return false;
     for (std::size_t l = 0; l < face.loops.size(); ++l) {
@@ -256,7 +261,8 @@ bool has_other_outline(const Part& part, const Face& face) {
     return false;
 }
 
-// Does its only loop turn to the left in each corner, once round, as far as readers can tell?
+// True if the only loop of a planar face turns left in each corner, by an angle that CAD readers
+// distinguish from 0, and by a single turn in total.
 bool is_convex(const Part& part, const Face& face) {
     if (face.loops.size() != 1 || face.loops.front().size() < 3) return false;
     const Vec3 normal = std::get<Plane>(face.surface.form).normal;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Planes that touch themselves.
+// Planar faces that touch themselves.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -10,23 +10,27 @@
 
 namespace ncsim::brep {
 
-/// Of planes with a corner on a straight edge of theirs, or two corners in one place, within
-/// `near_mm`: the edge is divided there, and both corners are one. No more than that is moved, and
-/// corners only where planes alone meet, in lines. Looks at these faces. True: something has
-/// changed. O(n log n) for n edges that are spread evenly.
+/// Joins corners of planar faces that touch the same face within `near_mm`: divides a straight edge
+/// at a corner that lies on the edge, and merges two corners by moving a corner to the second.
+/// Divides only edges between planes, and moves only corners at which planes and lines alone meet.
+/// Only `faces` are examined.
+/// Returns: true if the part changed.
+/// Cost: O(n log n) for n evenly distributed edges.
 bool join_touching_corners(Part& part, const std::vector<std::uint32_t>& faces, double near_mm);
 
-/// Loops of planes that come back to a corner become several, and where these lie beside each other
-/// the face becomes several: they are added at the end, and to the shell that has the face. Of each
-/// face that was added: which one it was part of.
+/// Splits each loop of a planar face that returns to a corner into simple loops. A face with
+/// several outlines becomes several faces. New faces are appended to the part, and to the shell of
+/// the split face.
+/// Returns: for each new face, the number of the face that was split.
 std::vector<std::uint32_t> split_non_simple_faces(Part& part);
 
-/// Does the outline of a plane go round the loop, which does not cross it?
+/// True if `outline` of a planar face surrounds `loop`.
+/// Requires: `outline` and `loop` do not cross.
 bool encloses(const Part& part, const Face& face, const Loop& outline, const Loop& loop);
 
-/// Planes with straight edges alone in which readers find a fault: their loops cross, or touch
-/// within 2e-7 mm, or go round the wrong way. O(n log n) likewise, and little where faces are
-/// convex.
+/// Returns the planar faces with straight edges only that CAD readers reject, ascending: loops
+/// cross, come within 2e-7 mm of each other, or have the wrong orientation.
+/// Cost: O(n log n) for n evenly distributed edges; O(n) for convex faces.
 std::vector<std::uint32_t> crossed_planes(const Part& part);
 
 }  // namespace ncsim::brep

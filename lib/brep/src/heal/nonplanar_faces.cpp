@@ -26,6 +26,7 @@ namespace ncsim::brep {
 
 namespace {
 
+// Returns the vertices of each loop in order.
 std::vector<std::vector<std::uint32_t>> corners_around(const Part& part, const Face& face) {
     std::vector<std::vector<std::uint32_t>> loops;
     for (const Loop& loop : face.loops) {
@@ -36,7 +37,7 @@ std::vector<std::vector<std::uint32_t>> corners_around(const Part& part, const F
     return loops;
 }
 
-// How far corners of it are off the plane, at most.
+// Returns the largest distance of a corner of the face from `plane`, mm.
 double distance_from_plane(const Part& part, const Face& face, const Plane& plane) {
     double deviation = 0.0;
     for (const EdgeUse& use : uses_of(face)) {
@@ -46,7 +47,8 @@ double distance_from_plane(const Part& part, const Face& face, const Plane& plan
     return deviation;
 }
 
-// Through the middle of its corners, across the area within its loops. Nothing of what has none.
+// Returns the plane through the mean of all corners, perpendicular to the vector area of the loops.
+// No value if the vector area is 0.
 std::optional<Plane> mean_plane(const Part& part, const Face& face) {
     Vec3 sum, area;
     double count = 0.0;
@@ -68,13 +70,13 @@ void set_plane(const Part& part, Face& face, const Plane& plane) {
     face.frame = frame_for(part, face);
 }
 
-// A facet off its plane as triangles, and these as pieces that are flat.
+// Triangulation of a nonplanar facet, and planar pieces of these triangles.
 class NonplanarFacet {
 public:
     NonplanarFacet(Part& part, const Face& face)
         : part_(part), face_(face), plane_(std::get<Plane>(face.surface.form)) {}
 
-    // The faces that it becomes. None: it cannot be told which.
+    // Returns the faces that replace the facet; empty if the facet cannot be divided.
     std::vector<Face> pieces() {
         if (!gather_edges() || !cut() || !pair_triangles()) return {};
         merge_coplanar();
@@ -96,9 +98,10 @@ public:
 
 private:
     using Triangle = std::array<std::uint32_t, 3>;         // corners
-    using Ends = std::pair<std::uint32_t, std::uint32_t>;  // of a side, there
+    using Ends = std::pair<std::uint32_t, std::uint32_t>;  // start and end of a directed side
 
-    // False: it has one of them on both sides, or two between the same corners.
+    // Lists the edges of the facet by their ends. False if the facet is on both sides of an edge,
+    // or has two edges between the same corners.
     bool gather_edges() {
         for (const EdgeUse& use : uses_of(face_)) {
             const std::uint32_t from = begin_of(part_, use);
@@ -108,7 +111,7 @@ private:
         return true;
     }
 
-    // False: its loops cross, seen from above.
+    // Triangulates the projection of the facet on its plane. False if the loops cross there.
     bool cut() {
         cda::Boundary only;
         std::vector<std::uint32_t> corners;  // of each vertex
@@ -140,7 +143,8 @@ private:
         });
     }
 
-    // False: not each of their sides is an edge of the facet, or one of two triangles.
+    // Finds the triangle at each directed side. False unless each side is either an edge of the
+    // facet or common to two triangles.
     bool pair_triangles() {
         for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
             for (std::size_t i = 0; i < 3; ++i) {
@@ -157,6 +161,7 @@ private:
         return {triangles_[t][i], triangles_[t][(i + 1) % 3]};
     }
 
+    // Unites adjacent triangles whose corners all lie in the plane of the facet.
     void merge_coplanar() {
         pieces_.emplace(triangles_.size());
         const auto is_flat = [&](std::uint32_t t) {
@@ -171,7 +176,8 @@ private:
         }
     }
 
-    // The triangle beyond a side, if it is of the same piece.
+    // Returns the triangle on the far side of `ends` if both triangles are in the same piece;
+    // otherwise kNone.
     std::uint32_t triangle_across(const Ends& ends) {
         const auto other = at_side_.find({ends.second, ends.first});
         if (other == at_side_.end()) return kNone;
@@ -180,7 +186,8 @@ private:
         return is_same ? other->second : kNone;
     }
 
-    // Of its piece: those that have a side of this triangle, and that no other one has brought.
+    // Appends the loops of the piece that run along a side of triangle `t`, except loops that an
+    // earlier triangle has appended.
     void add_loops(std::uint32_t t, std::vector<Loop>& loops) {
         for (std::size_t i = 0; i < 3; ++i) {
             const Ends first = side_of(t, i);
@@ -191,7 +198,8 @@ private:
         }
     }
 
-    // The side of the piece after this one: around the corner between them there is nothing of it.
+    // Returns the side that follows `ends` on the border of the piece: turns about the end of
+    // `ends` through all triangles of the piece at this corner.
     Ends next(Ends ends) {
         for (;;) {
             const Triangle& t = triangles_[at_side_.find(ends)->second];
@@ -203,7 +211,7 @@ private:
         }
     }
 
-    // Between two pieces an edge is made.
+    // Returns the use of the edge along `ends`. Makes an edge if the side is between two pieces.
     EdgeUse use_of(const Ends& ends) {
         const auto found = uses_.find(ends);
         if (found != uses_.end()) return found->second;
@@ -213,7 +221,7 @@ private:
         return uses_[ends] = {number, true};
     }
 
-    // The outline comes first, and what is off the plane gets its own.
+    // Puts the outline first. A face off the plane of the facet gets its own mean plane.
     void finish(Face& face) const {
         const auto goes_left = [&](const Loop& loop) {
             Face only = face;
@@ -232,7 +240,7 @@ private:
     const Plane plane_;
     std::map<Ends, EdgeUse> uses_;
     std::vector<Triangle> triangles_;
-    std::map<Ends, std::uint32_t> at_side_;  // the triangle that has it, there
+    std::map<Ends, std::uint32_t> at_side_;  // triangle of each directed side
     std::optional<DisjointSets> pieces_;
     std::set<Ends> is_used_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A loop is cut off where it returns to a corner. From which corner the loop is followed decides
-// which pieces are cut off; correct are those that are sound faces.
+// Each return of a loop to a corner cuts off a piece of the loop. The pieces depend on the corner
+// at which the traversal starts; the first start for which all pieces are sound faces is taken.
 #include "heal/pinched_faces.h"
 
 #include "ncsim/brep/frames.h"
@@ -21,7 +21,8 @@ namespace ncsim::brep {
 
 namespace {
 
-// Returns the places in the loop at which it is in a corner to which it returns.
+// Returns the positions in the loop at which uses begin in a corner that the loop visits more than
+// once, ascending.
 std::vector<std::size_t> returns_of(const Part& part, const Loop& loop) {
     std::map<std::uint32_t, std::vector<std::size_t>> places;
     for (std::size_t i = 0; i < loop.size(); ++i)
@@ -34,8 +35,8 @@ std::vector<std::size_t> returns_of(const Part& part, const Loop& loop) {
     return returns;
 }
 
-// Follows the loop from `start` and returns what is cut off where it returns to a corner, and the
-// rest.
+// Follows the loop from `start`. Returns the pieces that are cut off at returns to a corner; the
+// last piece is the rest.
 std::vector<Loop> simple_loops(const Part& part, const Loop& loop, std::size_t start) {
     std::vector<Loop> simple;
     Loop open;
@@ -54,7 +55,7 @@ std::vector<Loop> simple_loops(const Part& part, const Loop& loop, std::size_t s
     return simple;
 }
 
-// Returns a face for each loop; empty if one of them is not sound.
+// Returns a face for each loop; empty if a face is not sound.
 std::vector<Face> pieces_of(Part& part, std::uint32_t f, const std::vector<Loop>& loops) {
     const Face face = part.faces[f];
     std::vector<Face> pieces;

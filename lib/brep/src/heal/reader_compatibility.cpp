@@ -15,9 +15,10 @@ namespace ncsim::brep {
 
 namespace {
 
-// Do its ends lie too far apart, seen along the line that the circle moves along? Where it goes
-// half around, nobody knows which way; and along shallow ramps, which are as flat across, readers
-// find places of edges roughly: those of long ones so much so that they draw nothing.
+// True if the ends of an edge are too far apart about the circle, seen along the line of the
+// extrusion. The direction of an edge of half a turn is ambiguous. On shallow extrusions, which are
+// flat across the line, too, CAD readers locate points of edges only roughly; if an edge is long,
+// CAD readers draw nothing.
 bool is_too_wide(const Extrusion& extrusion, const Part& part, const Edge& edge) {
     const auto out = [&](std::uint32_t v) {
         const Vec3 p = part.vertices[v];
@@ -27,8 +28,9 @@ bool is_too_wide(const Extrusion& extrusion, const Part& part, const Edge& edge)
     return edge.from != edge.to && dot(out(edge.from), out(edge.to)) < widest;
 }
 
-// Does the way turn by more than a third of a right angle between its ends, or come back? Readers
-// integrate along long edges on splines roughly.
+// True if the direction of motion of the sweep at the middle or the end of an edge is more than 60
+// degrees from the direction at the start. CAD readers integrate roughly along long edges on spline
+// surfaces.
 bool is_too_wide(const Envelope& envelope, const Part& part, const Edge& edge) {
     const auto ahead = [&](Vec3 p) {
         const ClosestPoint closest = project_onto(envelope, p);
@@ -40,8 +42,9 @@ bool is_too_wide(const Envelope& envelope, const Part& part, const Edge& edge) {
            dot(first, ahead(part.vertices[edge.to])) < 0.5;
 }
 
-// Does it pass near a pole of the sphere, more than a quarter around it? Readers lay such edges
-// down some hundredths of a millimetre from where they are, but for circles about the axis itself.
+// True if an edge comes nearer to the axis of the sphere than half the radius, and goes more than a
+// quarter of a turn around the axis. CAD readers place these edges some hundredths of a millimetre
+// away from the true position, except circles about the axis.
 bool passes_by_pole(const Sphere& sphere, const Frame& frame, const Part& part, const Edge& edge) {
     const auto* circle = std::get_if<Circle>(&edge.curve);
     if (circle && norm(cross(circle->axis, frame.axis)) < kRounding) return false;
@@ -53,7 +56,7 @@ bool passes_by_pole(const Sphere& sphere, const Frame& frame, const Part& part, 
         const Vec3 out = v - dot(v, frame.axis) * frame.axis;
         const double radius = norm(out);
         nearest = std::min(nearest, radius / sphere.radius);
-        // In a pole there is no direction.
+        // At a pole, the angle around the axis is undefined.
         if (radius < 1e-6 * sphere.radius) continue;
         const Vec3 direction = (1.0 / radius) * out;
         if (!first) first = direction;
@@ -62,7 +65,7 @@ bool passes_by_pole(const Sphere& sphere, const Frame& frame, const Part& part, 
     return nearest < 0.5 && least < 0.0;
 }
 
-// True: it has halved one.
+// Halves each edge that is too wide. True if an edge was halved.
 bool split_once(Part& part) {
     bool any = false;
     EdgeSplitter halving(part);

@@ -16,7 +16,8 @@ namespace ncsim::brep {
 
 namespace {
 
-// Of a plane: without edges that are points, and without loops of which nothing is left but one.
+// Erases straight edges with equal ends from a planar face, and then empty loops. A face without
+// loops gets an empty loop.
 void drop_edges_of_no_length(Part& part, Face& face) {
     bool any = false;
     for (Loop& loop : face.loops) {
@@ -52,7 +53,8 @@ bool collapse_short_edges(Part& part, const std::vector<std::uint32_t>& faces, d
     if (low.empty()) return false;
     std::sort(low.begin(), low.end());
     DisjointSets same(part.vertices.size());
-    // Of the first one of each set: how far the others are away from it, at most.
+    // Bound of the distance of the merged vertices from the position of the first vertex of each
+    // set, mm.
     std::vector<double> radius(part.vertices.size(), 0.0);
     bool any = false;
     for (const auto& [length, e] : low) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Corners that are one to readers.
+// Corners that CAD readers take for a single corner.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -10,11 +10,13 @@
 
 namespace ncsim::brep {
 
-/// Where planes alone meet, in lines: the ends of edges of these faces that are shorter than
-/// `least_mm` become one corner, whatever hangs together by them, the shortest first, as long as no
-/// corner goes farther than twice that. Edges of that length go, and faces of which nothing is left
-/// keep an empty loop. There may be edges with nothing between them then (spikes.h), and loops that
-/// come back to a corner (non_simple_faces.h). True: something has gone. O(n log n) for n edges.
+/// Merges the ends of edges of `faces` that are shorter than `least_mm`, the shortest first, even
+/// if the topology changes. Only edges are collapsed at whose ends planes and lines alone meet, and
+/// no vertex moves by more than 2 `least_mm`. Collapsed edges are erased from planar faces; a face
+/// without edges keeps an empty loop. The result may have spikes (spikes.h), and loops that return
+/// to a corner (non_simple_faces.h).
+/// Returns: true if an edge was collapsed.
+/// Cost: O(n log n) for n edges.
 bool collapse_short_edges(Part& part, const std::vector<std::uint32_t>& faces, double least_mm);
 
 }  // namespace ncsim::brep

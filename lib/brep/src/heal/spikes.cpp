@@ -40,10 +40,10 @@ public:
     }
 
 private:
-    // A straight edge as a loop runs along it.
+    // Use of a straight edge by a loop.
     struct StraightUse {
-        std::uint32_t low, high;  // its ends
-        bool is_ascending;        // from the one to the other
+        std::uint32_t low, high;  // lower and higher number of the two ends
+        bool is_ascending;        // true if the loop runs from `low` to `high`
         std::uint32_t edge;
         std::size_t loop, at;
         auto key() const { return std::tuple(low, high, edge, loop, at); }
@@ -52,6 +52,7 @@ private:
         StraightUse forth, back;
     };
 
+    // Erases a pair of uses of face `f`. False if the face has no pair.
     bool remove_one(std::uint32_t f) {
         const auto pair = pair_of(part_.faces[f]);
         if (!pair) return false;
@@ -72,7 +73,7 @@ private:
         return part_.faces[f].loops[use.loop][use.at];
     }
 
-    // In planes alone, wherever they are.
+    // Returns two opposite uses between the same corners, anywhere in the loops of a planar face.
     std::optional<Pair> pair_of(const Face& face) {
         if (!is_plane(face)) return std::nullopt;
         std::vector<StraightUse>& uses = straight_uses_;
@@ -86,7 +87,7 @@ private:
                 uses.push_back({low, high, use.is_forward == (edge.from == low), use.edge, l, i});
             }
         }
-        // Those of one edge are beside each other.
+        // Uses between the same corners become adjacent, and among these the uses of the same edge.
         std::ranges::sort(uses, {}, &StraightUse::key);
         for (std::size_t i = 0; i < uses.size(); ++i) {
             for (std::size_t j = i + 1;
@@ -115,9 +116,9 @@ private:
     }
 
     Part& part_;
-    std::vector<Numbers> faces_of_;  // of each edge
-    Numbers waiting_;
-    std::vector<StraightUse> straight_uses_;  // of the face that is looked at
+    std::vector<Numbers> faces_of_;           // faces at each edge
+    Numbers waiting_;                         // faces that may have a pair
+    std::vector<StraightUse> straight_uses_;  // buffer of pair_of()
 };
 
 }  // namespace

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Edges with nothing between them.
+// Spikes: pairs of coincident edges of a face, with no area between the two.
 #pragma once
 
 #include "ncsim/brep/part.h"
 
 namespace ncsim::brep {
 
-/// Two straight edges of a face there and back between the same corners, one after the other, or
-/// anywhere in a plane, have nothing between them: they go, and what is beyond them meets. So does
-/// an edge that has one plane on both sides. Of planes, loops become one or several, and the first
-/// is not always the outline any more. Faces of which nothing is left keep an empty loop. True:
-/// something has gone. O(n log n) for n edges, and as much for a face each time that something
-/// goes.
+/// Erases each pair of straight edges that a planar face uses in opposite directions between the
+/// same corners, anywhere in its loops. The faces beyond both edges become adjacent. The pair may
+/// also be a single edge with the face on both sides. Loops of the face are merged or divided, so
+/// the first loop may no longer be the outline. A face without edges keeps an empty loop.
+/// Returns: true if the part changed.
+/// Cost: O(n log n) for n edges, and again O(m log m) for a face of m edges with each pair erased.
 bool remove_spikes(Part& part);
 
 }  // namespace ncsim::brep

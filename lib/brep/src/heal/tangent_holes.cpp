@@ -26,7 +26,8 @@ namespace ncsim::brep {
 
 namespace {
 
-// An edge as it leaves a corner: its direction, unit, and by how much that turns in 15 degrees.
+// Unit direction in which an edge leaves a corner, and change of the direction along the first
+// piece of the edge's track: at most 15 degrees of an arc.
 struct StartTangent {
     Vec3 direction, bend;
     bool is_round = false;
@@ -46,12 +47,14 @@ StartTangent start_tangent(const Part& part, const EdgeUse& use) {
             !std::holds_alternative<Line>(edge.curve)};
 }
 
-// The edges of a loop that meet where use `i` begins, as they leave that corner.
+// Returns the two edges of a loop that meet at the start of use `i`, directed away from that
+// corner.
 std::array<EdgeUse, 2> edges_at(const Loop& loop, std::size_t i) {
     return {loop[i], reversed_use(loop[(i + loop.size() - 1) % loop.size()])};
 }
 
-// Do both loops, where these uses of them begin, have arcs along each other that bend to one side?
+// True if a curved edge of `one` at the start of use `i` and a curved edge of `other` at the start
+// of use `j` leave the corner in the same direction and bend to the same side.
 bool narrows_to_cusp(const Part& part, const Loop& one, std::size_t i, const Loop& other,
                      std::size_t j) {
     for (const EdgeUse& first : edges_at(one, i)) {
@@ -66,12 +69,13 @@ bool narrows_to_cusp(const Part& part, const Loop& one, std::size_t i, const Loo
     return false;
 }
 
+// Hole that touches the outline in a cusp.
 struct TangentHole {
-    std::size_t hole;                 // of the loops of the face
-    std::size_t of_outline, of_hole;  // the uses that begin there
+    std::size_t hole;                 // index of the loop in the face
+    std::size_t of_outline, of_hole;  // uses that begin in the common corner
 };
 
-// Where the outline and a hole have one corner in common, and run out there.
+// Returns the first hole that has a single corner in common with the outline, with a cusp there.
 std::optional<TangentHole> find_tangent_hole(const Part& part, const Face& face) {
     std::vector<std::pair<std::uint32_t, std::size_t>> corners;
     for (std::size_t i = 0; i < face.loops.front().size(); ++i)
@@ -92,7 +96,8 @@ std::optional<TangentHole> find_tangent_hole(const Part& part, const Face& face)
     return std::nullopt;
 }
 
-// A plane as readers see it, from above: its loops as points, the corners of edges among them.
+// Projection of a face along its axis, with loops as polygons, as CAD readers draw them. The
+// polygons contain the corners of the loops.
 class Drawing {
 public:
     Drawing(const Part& part, const Face& face) : face_(face) {
@@ -103,7 +108,8 @@ public:
         }
     }
 
-    // Does the straight line lie in the plane, with nothing near it but its ends?
+    // True if the straight line between two points lies inside the face, and no point of a loop is
+    // near the line except at its ends.
     bool is_clear(Vec3 from, Vec3 to) const {
         const double near = 10.0 * kLeastSizeMm;
         const Vec2 a = project(from), b = project(to);
@@ -133,7 +139,7 @@ private:
         return {dot(v, face_.frame.x), dot(v, cross(face_.frame.axis, face_.frame.x))};
     }
 
-    // Along the line from its start, and to the left of it.
+    // Returns the coordinates of `p` along the line from `a` to `b`, and to the left of the line.
     static Vec2 seen(Vec2 a, Vec2 b, double length, Vec2 p) {
         const double x = (b.x - a.x) / length, y = (b.y - a.y) / length;
         return {(p.x - a.x) * x + (p.y - a.y) * y, (p.y - a.y) * x - (p.x - a.x) * y};
@@ -160,14 +166,14 @@ private:
     std::vector<std::vector<Vec2>> loops_;
 };
 
-// Where a line may end on a loop.
+// Point of a loop at which a cut may end: start of the edge of `use`, or the middle of this edge.
 struct CutEnd {
     Vec3 at;
-    std::size_t use = 0;     // which begins there, or
-    bool is_middle = false;  // has it in its middle
+    std::size_t use = 0;
+    bool is_middle = false;
 };
 
-// The corners of a loop but the first one, and the middles of its round edges if these count, too.
+// Returns all corners of a loop except the first, and the middles of curved edges if `has_middles`.
 std::vector<CutEnd> cut_ends(const Part& part, const Loop& loop, bool has_middles) {
     std::vector<CutEnd> places;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -179,11 +185,13 @@ std::vector<CutEnd> cut_ends(const Part& part, const Loop& loop, bool has_middle
     return places;
 }
 
-// The line along which a plane becomes two: from the outline to the hole.
+// Line from the outline to the hole, along which a planar face is split.
 struct Cut {
     CutEnd from, to;
 };
 
+// Returns the shortest cut inside the face between `outline` and `hole`, except at the first
+// corners of both.
 std::optional<Cut> shortest_cut(const Part& part, const Face& face, const Loop& outline,
                                 const Loop& hole, bool has_middles) {
     const Drawing drawing(part, face);
@@ -206,7 +214,7 @@ Loop rotate_to_use(Loop loop, std::size_t i) {
     return loop;
 }
 
-// What is before use `i` of the one, the edge, and what is from use `j` of the other on.
+// Returns the uses of `one` before `i`, then `edge`, then the uses of `other` from `j` on.
 Loop join_along(const Loop& one, std::size_t i, const EdgeUse& edge, const Loop& other,
                 std::size_t j) {
     Loop loop(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(i));
@@ -217,7 +225,8 @@ Loop join_along(const Loop& one, std::size_t i, const EdgeUse& edge, const Loop&
 
 enum class SplitResult : std::uint8_t { None, AtMidpoints, AtLine };
 
-// By halves: its edges have become more, and it has corners now between which there is a line.
+// Splits a planar face at its first tangent hole. AtMidpoints: only curved edges were halved, which
+// makes corners at the ends of a line; the next call splits the face.
 SplitResult split_at_tangent_hole(Part& part, std::uint32_t f) {
     const Face face = part.faces[f];
     const auto tangent_hole = find_tangent_hole(part, face);
@@ -252,19 +261,19 @@ SplitResult split_at_tangent_hole(Part& part, std::uint32_t f) {
     return SplitResult::AtLine;
 }
 
-// A place to divide an arc of a plane: near a corner in which the arc and a sharper one run out
-// together.
+// Place at which an arc of a planar face is divided, near a corner at which the arc is tangent to a
+// sharper arc.
 struct Cusp {
     std::uint32_t edge = 0;
-    double at = 0.0;  // share of the edge that is passed there
+    double at = 0.0;  // share of the edge up to this place
 };
 
-// An arc as it leaves a corner.
+// Direction and curvature of an arc at a corner.
 struct ArcEnd {
     EdgeUse use;
-    Vec3 direction;     // unit
-    Vec3 curvature;     // turn of the direction for each mm
-    double turn = 0.0;  // of the whole arc if it bent as it does here, rad
+    Vec3 direction;     // unit, away from the corner
+    Vec3 curvature;     // change of the direction, 1/mm
+    double turn = 0.0;  // turn of the whole arc with the curvature at the corner, rad
 };
 
 ArcEnd arc_end_of(const Part& part, const EdgeUse& use) {
@@ -281,11 +290,12 @@ ArcEnd arc_end_of(const Part& part, const EdgeUse& use) {
 }
 
 std::vector<Cusp> cusps_of(const Part& part, const Face& face) {
-    // Readers draw arcs as chords, equally long along an arc, and two that run out together cross
-    // if the first chord of the flatter one turns by more than that of the other one: by up to 17
-    // degrees, where the angle limits chords. So the flatter one begins with an arc of 4 degrees,
-    // and that with one of 1; readers who turn by less at a time divide these, too. Arcs that are
-    // hardly longer are not divided.
+    // CAD readers draw an arc as chords of equal length. The chords of two arcs that are tangent at
+    // a corner cross if the first chord of the flatter arc turns by more than the first chord of
+    // the sharper arc. If an angle limits the chords, a chord turns by up to 17 degrees. So an arc
+    // of 4 degrees is divided off the flatter arc at the corner, and an arc of 1 degree off the arc
+    // of 4 degrees; CAD readers with a smaller angle also divide these arcs. Arcs of less than 2
+    // degrees stay whole.
     std::vector<std::pair<std::uint32_t, EdgeUse>> leaving;
     for (const EdgeUse& use : uses_of(face)) {
         if (is_straight(part.edges[use.edge])) continue;
@@ -313,13 +323,14 @@ std::vector<Cusp> cusps_of(const Part& part, const Face& face) {
     return cusps;
 }
 
-// A generator of a cone along which its face becomes two: from the closed circle that the rest of
-// the loop touches in one corner to the middle of an edge of that rest.
+// Generator along which a conical face is split: from the closed circle that the rest of the loop
+// touches in a corner to the middle of an edge of that rest.
 struct ConeCut {
-    std::size_t loop = 0, circle = 0, use = 0;  // places of the circle and of the edge
-    double at_circle = 0.5;                     // share of the circle that is passed there
+    std::size_t loop = 0, circle = 0, use = 0;  // indices of the loop, of the circle and the edge
+    double at_circle = 0.5;                     // share of the circle up to the generator
 };
 
+// Returns the shortest generator inside the face; no value if there is none.
 std::optional<ConeCut> cone_cut_of(const Part& part, const Face& face) {
     const auto& cone = std::get<Cone>(face.surface.form);
     const auto is_closed = [&](const EdgeUse& use) {
@@ -349,7 +360,7 @@ std::optional<ConeCut> cone_cut_of(const Part& part, const Face& face) {
             if (share < 0.02 || share > 0.98) continue;
             const Vec3 at = track.at(share);
             const double length = norm(at - halves->middle);
-            // Seen along the axis, as the drawing is.
+            // Projected along the axis, because the lines of `drawing` must lie in its plane.
             const auto seen = [&](Vec3 p) { return p - dot(p - cone.apex, cone.axis) * cone.axis; };
             if (length >= shortest || !drawing.is_clear(seen(at), seen(halves->middle))) continue;
             shortest = length;
@@ -360,7 +371,7 @@ std::optional<ConeCut> cone_cut_of(const Part& part, const Face& face) {
     return std::nullopt;
 }
 
-// Makes two faces of a face with one loop: along a line between two corners of it.
+// Splits a face whose only loop is `l` along a line between the vertices `from` and `to`.
 void split_along(Part& part, std::uint32_t f, std::size_t l, std::uint32_t from, std::uint32_t to) {
     const Face face = part.faces[f];
     const Loop& loop = face.loops[l];
@@ -417,7 +428,7 @@ void split_cones_at_base_circle(Part& part) {
 }
 
 void split_arcs_at_cusps(Part& part) {
-    // Twice at each end of an arc, and an edge is divided once at a time.
+    // Four passes: an arc is divided twice at each end, and a pass divides each edge once.
     bool any = true;
     for (int i = 0; i < 4 && any; ++i) {
         any = false;
@@ -432,12 +443,12 @@ void split_arcs_at_cusps(Part& part) {
 }
 
 void split_faces_at_tangent_holes(Part& part) {
-    // What is added is looked at, too: it may have other holes.
+    // New faces are examined, too, because each may have further tangent holes.
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         const bool may_have = std::holds_alternative<Plane>(part.faces[f].surface.form) &&
                               part.faces[f].loops.size() > 1;
         if (!may_have) continue;
-        // Where the halves do not help, they do not help again.
+        // Two halvings in succession end the search: the new corners of the first gave no line.
         bool has_halves = false;
         for (SplitResult parted = split_at_tangent_hole(part, f); parted != SplitResult::None;
              parted = split_at_tangent_hole(part, f)) {

@@ -25,7 +25,7 @@ namespace ncsim::brep {
 
 namespace {
 
-// Least distance of vertices that readers keep apart on all faces around them, mm.
+// Least distance of vertices that CAD readers keep apart on all adjacent faces, mm.
 constexpr double kLeast = 10.0 * kPointError;
 
 Numbers common(const Numbers& a, const Numbers& b) {
@@ -34,9 +34,10 @@ Numbers common(const Numbers& a, const Numbers& b) {
     return shared;
 }
 
-// Makes points of edges, where that changes nothing but lengths (the link condition: Dey,
-// Edelsbrunner, Guha, Nekhayev, Topology Preserving Edge Contraction, 1999): what is beside such an
-// edge on both sides is all that its ends have in common.
+// Contraction of edges to points if only lengths change. The link condition decides: the ends of
+// the edge have no faces and neighbours in common except the faces on both sides of the edge, and
+// the opposite corners of these faces if the faces are triangles.
+// Source: Dey, Edelsbrunner, Guha, Nekhayev, Topology Preserving Edge Contraction, 1999.
 class Contraction {
 public:
     explicit Contraction(Part& part)
@@ -55,17 +56,18 @@ public:
             sort_unique(edges);
     }
 
-    // Do planes alone meet at both ends?
+    // True if planes and lines alone meet at both ends of the edge.
     bool is_flat(const Edge& edge) const { return is_flat_[edge.from] && is_flat_[edge.to]; }
 
-    // True: it has become one.
+    // Contracts the edge to either end. False if the edge stays.
     bool contract(std::uint32_t number) {
         const Edge edge = part_.edges[number];
         return contract(number, edge.from, edge.to) || contract(number, edge.to, edge.from);
     }
 
 private:
-    // To the end that is kept.
+    // Contracts the edge to its end `kept`. False if the edge stays: the link condition is not met,
+    // or vertices would move by more than 2 kLeast.
     bool contract(std::uint32_t number, std::uint32_t kept, std::uint32_t removed) {
         const Edge short_edge = part_.edges[number];
         if (kept == removed || !is_flat(short_edge)) return false;
@@ -130,7 +132,8 @@ private:
         return edge.from;
     }
 
-    // Does it have the edge, in a loop that remains one, and come to the vertex once?
+    // True if the face visits the vertex once, and uses the edge in a loop that keeps three edges,
+    // or is the only loop of a triangle.
     bool is_simple_at(const Face& face, std::uint32_t edge, std::uint32_t vertex) const {
         bool has_edge = false;
         int visits = 0;
@@ -143,7 +146,8 @@ private:
         return has_edge && visits == 1;
     }
 
-    // A face with two edges, between the same vertices: its neighbours share one of them.
+    // Removes a face with two edges between the same vertices. Both adjacent faces use the first
+    // edge afterwards.
     void remove_two_sided_face(std::uint32_t f) {
         Loop& loop = part_.faces[f].loops.front();
         const EdgeUse kept_use = loop[0], removed_use = loop[1];
@@ -153,7 +157,8 @@ private:
             for (Loop& other_loop : part_.faces[other].loops) {
                 for (EdgeUse& use : other_loop) {
                     if (use.edge != removed_use.edge) continue;
-                    // It ran against one of them, which ran against the other.
+                    // `use` is opposite to `removed_use`, which is opposite to `kept_use`; so the
+                    // direction of `use` is the direction of `kept_use`.
                     use = {kept_use.edge, kept_use.is_forward};
                 }
             }
@@ -168,17 +173,17 @@ private:
 
     Part& part_;
     std::vector<Numbers> faces_at_, edges_at_;  // of each vertex, ascending
-    std::vector<double> radius_;                // how far away from each are those that became it
-    std::vector<bool> is_flat_;
+    std::vector<double> radius_;  // bound of the distance of the vertices merged into each, mm
+    std::vector<bool> is_flat_;   // true for vertices at which planes and lines alone meet
 };
 
-// Holes that are nowhere larger than kLeast become points: a corner that pokes through a face by
-// less than readers can tell does not.
+// Holes whose extent is at most kLeast, which are closed by merging their corners. A hole of this
+// size results if a corner protrudes through a face by less than CAD readers distinguish.
 class Pinholes {
 public:
     explicit Pinholes(Part& part) : part_(part), faces_at_(faces_at_vertices(part)) {}
 
-    // True: something has gone.
+    // Closes all holes of this size. True if the part changed.
     bool close() {
         bool any = false;
         for (Face& face : part_.faces) {
@@ -234,8 +239,9 @@ private:
         }
     }
 
-    // Is it flat, does it come to the corners of the hole once, along edges of the hole if to
-    // several, and has enough beside them?
+    // True if a face with a corner of the hole stays valid when the hole is closed: the face is
+    // planar with straight edges only, visits the corners of the hole once (several corners along
+    // edges of the hole), and keeps at least three edges in each loop.
     bool can_remove_hole(const Face& face, const Loop& hole, const Numbers& corners,
                          const Numbers& edges) const {
         if (!is_plane(face)) return false;
@@ -247,7 +253,8 @@ private:
                 if (!is_straight(part_.edges[use.edge])) return false;
                 const bool begins = std::ranges::binary_search(corners, begin_of(part_, use));
                 const bool is_gone = std::ranges::binary_search(edges, use.edge);
-                // It leaves them along another edge once for each visit.
+                // Each visit ends with an edge that starts at a corner of the hole and is not of
+                // the hole.
                 if (begins && !is_gone) ++visits;
                 if (!is_gone) ++left;
             }
@@ -260,8 +267,8 @@ private:
     std::vector<Numbers> faces_at_;  // of each vertex, ascending
 };
 
-// Without faces that have no edges any more; of each that is left which one it was, as `original`
-// has it.
+// Erases faces without edges from the part, from shells and from `original`, which has the original
+// face of each face. Erases empty voids.
 void drop_empty(Part& part, Numbers& original) {
     std::vector<std::uint32_t> number(part.faces.size());
     std::uint32_t count = 0;
@@ -284,7 +291,7 @@ void drop_empty(Part& part, Numbers& original) {
     original.resize(count);
 }
 
-// True: some have gone.
+// Contracts edges shorter than kLeast, the shortest first. True if the part changed.
 bool contract_short_edges(Part& part) {
     std::vector<std::pair<double, std::uint32_t>> low;
     for (std::uint32_t e = 0; e < part.edges.size(); ++e) {
@@ -295,17 +302,18 @@ bool contract_short_edges(Part& part) {
     std::sort(low.begin(), low.end());
     Contraction contraction(part);
     bool any = false;
-    // What hung together by an edge may do so no longer when those around it have gone.
+    // An edge may meet the link condition after adjacent edges have been contracted.
     while (std::erase_if(low, [&](const auto& edge) { return contraction.contract(edge.second); }) >
            0)
         any = true;
     return any;
 }
 
-// Those that stay, for what is beside them is not flat.
+// Lengthens edges that contract_short_edges() left shorter than 3 kReaderMm to kLeast if planes and
+// lines alone meet at both ends.
 void lengthen_short_edges(Part& part) {
     const Contraction contraction(part);
-    // One may bring another one's ends nearer.
+    // A longer edge may shorten an adjacent edge, so there are three passes.
     for (int pass = 0; pass < 3; ++pass) {
         for (const Edge& edge : part.edges) {
             Vec3 &a = part.vertices[edge.from], &b = part.vertices[edge.to];
@@ -318,12 +326,14 @@ void lengthen_short_edges(Part& part) {
     }
 }
 
-// The loop of a plane that has the same edges, which are straight, as this loop.
+// Loop of a planar face that has the same edges as a loop of an adjacent face; all edges are
+// straight.
 struct OppositeLoop {
     std::uint32_t face;
     std::size_t loop;
 };
 
+// Returns the opposite loop of `loop`. `sides` has the faces on both sides of each edge.
 std::optional<OppositeLoop> opposite_loop(const Part& part,
                                           const std::vector<std::array<std::uint32_t, 2>>& sides,
                                           const Loop& loop) {
@@ -346,9 +356,10 @@ std::optional<OppositeLoop> opposite_loop(const Part& part,
     return OppositeLoop{other, static_cast<std::size_t>(same - face.loops.begin())};
 }
 
-// Two planes with all their edges in common have nothing between them. Nor has one with a hole that
-// another one closes, if either is crossed: if the hole is not in it, or what closes it is no wider
-// than a line.
+// Empties pairs of planar faces that enclose no volume: two faces with all edges in common, and a
+// face with a hole together with a face that fills the hole. The latter is done only if one of both
+// faces is in `crossed`: then the hole is not inside its face, or the face that fills the hole has
+// no width. True if the part changed.
 bool remove_flat_pockets(Part& part, const Numbers& crossed) {
     bool any = false;
     const auto sides = sides_of_edges(part);
@@ -359,7 +370,7 @@ bool remove_flat_pockets(Part& part, const Numbers& crossed) {
         if (!other) return;
         Face& beyond = part.faces[other->face];
         const bool are_whole = face.loops.size() == 1 && beyond.loops.size() == 1;
-        // Not the outlines of two that have holes.
+        // Outlines of two faces with holes do not count.
         const bool is_hole =
             (l > 0 && beyond.loops.size() == 1) || (other->loop > 0 && face.loops.size() == 1);
         if (!are_whole && !(may_be_hole && is_hole)) return;
@@ -381,11 +392,13 @@ bool remove_flat_pockets(Part& part, const Numbers& crossed) {
     return any;
 }
 
-// Of these faces. True: something has changed.
+// Splits planar faces among `faces` that touch themselves within `near_mm`, and erases spikes and
+// flat pockets. Updates `original`. True if the part changed.
 bool split_at_touching_corners(Part& part, const Numbers& faces, double near_mm,
                                Numbers& original) {
     bool any = join_touching_corners(part, faces, near_mm);
-    // What runs there and back may not be shared out between the loops that a pinched one becomes.
+    // Spikes are erased before the split, because the two uses of a spike could become uses of two
+    // different loops.
     any = remove_spikes(part) || any;
     drop_empty(part, original);
     for (const std::uint32_t f : split_non_simple_faces(part)) {
@@ -403,7 +416,7 @@ bool split_at_touching_corners(Part& part, const Numbers& faces, double near_mm,
 std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part) {
     Numbers original(part.faces.size()), faces;
     std::iota(original.begin(), original.end(), 0U);
-    // Each step may make room for another one.
+    // Each step may allow changes that were impossible in an earlier step.
     for (int rounds_left = 10; rounds_left > 0; --rounds_left) {
         remove_spikes(part);
         drop_empty(part, original);
@@ -425,7 +438,8 @@ std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part) {
             crossed = degenerate_planes(part);
         }
         if (rounds_left == 1) break;
-        // Those that were made longer, too; and where that is not enough, farther apart.
+        // The first limit includes the edges that were lengthened to kLeast; the larger limits
+        // follow if no edge is collapsed.
         const bool has_collapsed = std::ranges::any_of(
             std::array{1.5 * kLeast, 3.0 * kLeast, kFlat},
             [&](double near_mm) { return collapse_short_edges(part, crossed, near_mm); });

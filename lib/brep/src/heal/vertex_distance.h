@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where corners are nearer to each other than readers can tell from nothing.
+// Least distances between vertices and edges that CAD readers distinguish.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -10,21 +10,23 @@
 
 namespace ncsim::brep {
 
-/// Where planes alone meet, in lines: edges shorter than 1e-5 mm become points, if nothing hangs
-/// together by them; those of the others that are shorter than 3e-7 mm become 1e-5 mm long. Readers
-/// take what is nearer than 1e-7 mm for one point, and find the surface open there. Edges that are
-/// no longer used stay behind; edges there and back one after the other, between which nothing is,
-/// are not used.
+/// Enforces least distances where planes and lines alone meet. CAD readers take points nearer than
+/// 1e-7 mm for a single point, and report that the surface is open there.
+/// - Edges shorter than 1e-5 mm are collapsed if the topology stays. Among the remaining edges,
+///   edges shorter than 3e-7 mm become 1e-5 mm long.
+/// - Holes smaller than 1e-5 mm are closed. Spikes (spikes.h) and pairs of faces with the same
+///   edges are erased.
+/// - Planar faces that touch themselves are split, because CAD readers do not always split these
+///   faces correctly: edges are divided at corners of the same face within 1e-5 mm, and loops that
+///   return to a corner are split (non_simple_faces.h).
+/// - Faces of degenerate_planes() are split in the same way, within 1e-4 mm. Edges of faces that
+///   are still degenerate are collapsed even if the topology changes: edges shorter than 1.5e-5 mm;
+///   if there are none, edges shorter than 3e-5 mm, then 1e-4 mm. Then all steps are repeated, at
+///   most 10 times in total, because the collapse may leave spikes and flat pockets to erase.
 ///
-/// Planes that touch themselves: readers part them, but not always well. So their edges are divided
-/// where a corner of theirs lies on them within 1e-5 mm, and where their loops come back to a
-/// corner they become several loops, and several faces where these lie beside each other. The same
-/// within 1e-4 mm for those whose loops cross then, and for those that are narrower than their
-/// corners are off the planes around these; where there still are any, their edges shorter than
-/// 1.5e-5 mm (3e-5, 1e-4, if there are none) become points, whatever hangs together by them, for
-/// what has nothing between then goes, and it all begins again.
-///
-/// Of each face: which one it was, or was part of. O(n log n) for n edges.
+/// Edges that are no longer used stay in the part.
+/// Returns: for each face, the number of the original face of which the face is a part.
+/// Cost: O(n log n) for n edges.
 std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part);
 
 }  // namespace ncsim::brep
