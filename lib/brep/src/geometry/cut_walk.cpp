@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Steps turn so little that the curve is near their chords.
+// Steps turn so little that the curve is near the chords.
 #include "geometry/cut_walk.h"
 
 #include "geometry/newton.h"
@@ -18,8 +18,8 @@ std::optional<CutWalk> walk_along_cut(const Surface& surface, const CutPlane& pl
     const auto ahead = [&](Vec3 p) { return normalized(cross(plane.normal, outward(surface, p))); };
     CutWalk walk;
     Vec3 p = begin, direction = ahead(begin);
-    // Steps of at most 1 mm; a curve that needs shorter ones than ten times the error of points is
-    // given up, as is one of 20,000 steps.
+    // Steps of at most 1 mm. No result if a curve needs steps shorter than ten times the error of
+    // points, or more than 20,000 steps.
     double step = 0.1;
     for (int i = 0; i < 20'000 && step > 10.0 * kPointError; ++i) {
         const auto end = std::ranges::find_if(ends, [&](Vec3 at) {

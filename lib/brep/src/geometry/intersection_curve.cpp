@@ -50,9 +50,9 @@ std::optional<Axis> common_axis(const Form& a, const Form& b) {
     return sphere ? common_axis(b, a) : std::nullopt;
 }
 
-// Returns the circle about `axis` through `p`. If `p` misses a cylinder by less than the readers'
-// tolerance, the circle has the cylinder's radius. A circle that ends at an angle to another edge
-// must end in the corner itself.
+// Returns the circle about `axis` through `p`. If `p` misses a cylinder by less than the tolerance
+// of CAD readers, the circle has the cylinder's radius. A circle that ends at an angle to another
+// edge must end in the corner itself.
 Curve circle_about(const Axis& axis, Vec3 p, const Form& a, const Form& b) {
     const Vec3 centre = axis.origin + dot(p - axis.origin, axis.direction) * axis.direction;
     double radius = norm(p - centre);
@@ -73,7 +73,7 @@ Curve meridian(const Torus& torus, Vec3 normal, Vec3 p) {
 Curve ellipse(const Plane& plane, const Extrusion& extrusion) {
     const PlaneCut cut(extrusion, {plane.normal, dot(plane.normal, plane.origin)});
     const auto [centre, x, y] = *cut.exact(0);
-    // Readers begin an ellipse at its longer axis, which rounding may exchange.
+    // CAD readers begin an ellipse at the longer axis; rounding may exchange the axes.
     if (std::abs(norm(x) - norm(y)) <= kRounding) return Circle{centre, plane.normal, norm(x)};
     return Ellipse{centre, plane.normal, normalized(x), norm(x), norm(y)};
 }
@@ -264,7 +264,7 @@ std::optional<Curve> intersection_curve(const Form& a, const Form& b, Vec3 p, Ve
     if (const auto* f = std::get_if<Cylinder>(&other)) {
         const double lean = std::abs(dot(plane.normal, f->axis));
         if (lean <= kParallelAngle) return Line{};
-        // Readers draw nothing of an ellipse that is metres long.
+        // CAD readers draw nothing of an ellipse that is metres long.
         if (lean < 10.0 * kLeastSine) return std::nullopt;
         return ellipse(plane, *f);
     }

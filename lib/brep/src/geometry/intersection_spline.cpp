@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Intersection curves are followed in steps. Each step is a cubic with the correct ends and
-// directions; a step is halved if the cubic is too far off. Readers search for a curve on its
+// directions; a step is halved if the cubic is too far off. CAD readers search for a curve on the
 // surfaces at equal steps of the parameter, so the speed must be low where steps are short.
 #include "geometry/intersection_spline.h"
 

@@ -25,9 +25,9 @@ std::optional<Spline> intersection_spline(const Form& a, const Form& b,
 /// turn by 15° at most, and inner pieces are within 1e-9 mm of the circle, unless pieces would be
 /// shorter than 100 d: shorter pieces leave the direction of the circle on their way.
 ///
-/// The spline deviates most at an end. Readers measure an edge at its ends and at a few places
-/// between, and doubt an edge that deviates more elsewhere. Some cuts of readers fail where edges
-/// are off their surfaces along their length.
+/// The spline deviates most at an end. CAD readers measure an edge at both ends and at a few places
+/// between, and reject an edge that deviates more elsewhere. Some Boolean operations of CAD readers
+/// fail where edges are off the adjacent surfaces along their length.
 Spline arc_spline(const Circle& circle, Vec3 from, Vec3 to);
 
 }  // namespace ncsim::brep

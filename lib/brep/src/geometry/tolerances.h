@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tolerances of boundary representations. All other tolerances of this library are multiples of
-// these, each with its reason at its place.
+// these tolerances, with the reason given where the multiple is used.
 #pragma once
 
 #include "ncsim/base/vec3.h"
@@ -23,10 +23,10 @@ inline constexpr double kRounding = 1e-9;
 /// Effect: points that differ less are equal; surfaces within this distance contain a point.
 inline constexpr double kPointError = 1e-6;
 
-// Readers --------------------------------------------------------------------------------------
+// CAD readers ----------------------------------------------------------------------------------
 
-/// Distance up to which readers take two points for a single point, mm. OpenCASCADE gives vertices
-/// and edges this tolerance (`Precision::Confusion`).
+/// Distance up to which CAD readers take two points for a single point, mm. OpenCASCADE gives
+/// vertices and edges this tolerance (`Precision::Confusion`).
 /// Effect: corners that are nearer become one corner; twice the value is the limit for curves.
 inline constexpr double kReaderMm = 1e-7;
 

@@ -94,7 +94,7 @@ bool cross_near_corner(const Part& part, const PlaneEdge& a, const PlaneEdge& b)
         if (nearest <= kPointError) continue;
         const Vec3 axis = a.circle ? a.circle->axis : b.circle->axis;
         const Vec3 middle = 0.5 * (corner + p), side = cross(axis, p - corner);
-        // OpenCASCADE looks for crossings to 1e-10 mm; what is nearer is tangent.
+        // OpenCASCADE searches crossings to 1e-10 mm; nearer curves are tangent.
         if (std::abs(depth_of(a, middle, side) - depth_of(b, middle, side)) > 0.1 * kRounding)
             return true;
     }

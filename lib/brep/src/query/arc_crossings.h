@@ -13,9 +13,9 @@
 namespace ncsim::brep {
 
 /// Returns two edges of the plane `face`, arcs or an arc and a line, that have a common corner and
-/// meet again near it. Such arcs are meant to be tangent in the corner but miss the tangency by
-/// rounding, and readers report crossed loops. The test is exact except for rounding; chords of the
-/// arcs would not show the crossing.
+/// meet again near this corner. The program meant both edges to be tangent in the corner, but
+/// rounding prevents the tangency, and CAD readers report crossed loops. The test is exact except
+/// for rounding; chords of the arcs would not show the crossing.
 /// Cost: linear in the number of edges, if corners have few edges.
 std::optional<std::array<std::uint32_t, 2>> arcs_crossing_near_corner(const Part& part,
                                                                       const Face& face);

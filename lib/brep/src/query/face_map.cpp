@@ -44,7 +44,7 @@ FaceMap::FaceMap(const Part& part, const Face& face)
     } else if (const auto* c = std::get_if<Cone>(form_)) {
         axes_.origin = c->apex;
     } else if (const auto* s = std::get_if<Sphere>(form_)) {
-        // Integral along the loops, exact for arcs, so it does not depend on their division.
+        // Integral along the loops, exact for arcs and therefore independent of the division.
         Vec3 sum;
         double length = 0.0;
         for_edges(part, face, [&](const Track& track, double) {
@@ -54,7 +54,8 @@ FaceMap::FaceMap(const Part& part, const Face& face)
                 length += chord;
             }
         });
-        // The loops lie about in one plane, so the face is on their left on two sides.
+        // Loops nearly in a plane through the centre do not determine the side of the face; then
+        // the axis of the frame is the middle.
         Vec3 middle = normalized(sum);
         if (norm(sum) < 0.025 * length * s->radius) middle = face.frame.axis;
         axes_ = Axes(s->centre, {s->centre, middle, any_perpendicular(middle)});

@@ -31,13 +31,14 @@ public:
     Place place(Vec3 p, ProjectionSeed& seed) const;
     Vec2 operator()(Vec3 at) const;
 
-    /// A circle on the map, and a bound of the distance of its points from the form, mm.
+    /// Circle on the map, and a bound of the distance of all points from the form, mm.
     struct Round {
         Vec2 centre;
         double radius, deviation;
     };
-    /// Returns what a whole circle is on the map, if that is a circle: any circle of a plane,
-    /// circles about the axis of a cylinder or cone.
+    /// Returns the image of a whole circle on the map; no value if the image is not a circle.
+    /// Images are circles for all circles of a plane, and for circles about the axis of a cylinder
+    /// or cone.
     std::optional<Round> round_of(const WholeCircle& circle) const;
 
     bool is_plane() const { return std::holds_alternative<Plane>(*form_); }

@@ -159,7 +159,7 @@ private:
                 const Track track = track_of(part_, edge);
                 const Vec3 p = track.at(0.5);
                 const Vec3 along = (use.is_forward ? 1.0 : -1.0) * track.derivative(0.5);
-                // The face is on the left of its edges.
+                // The face is on the left of the edges.
                 const Vec3 inwards = cross(outward(face.surface, p), normalized(along));
                 // Edges at the sides of the face run nearly along the axis.
                 if (dot(inwards, out) > -0.2 * slant) continue;
@@ -231,8 +231,8 @@ private:
 
     // --- Cones and chamfers -----------------------------------------------------------------
 
-    // Adds the cone if it is a countersink. The tip of a drilled bore is none, because the wide end
-    // continues in the bore.
+    // Adds the cone if the cone is a countersink. The tip of a drilled bore is not, because the
+    // wide end continues in the bore.
     bool take_countersink(std::uint32_t f, const Cone& cone) {
         const Face& face = part_.faces[f];
         if (!face.surface.is_hollow) return false;
@@ -419,8 +419,8 @@ private:
         features_.distances.clear();
     }
 
-    // Adds distances between walls that look along the direction and walls that look against it:
-    // across void if the former are behind the latter, otherwise across material.
+    // Adds distances between walls that face along the direction and walls that face against the
+    // direction: across void if the former are behind the latter, otherwise across material.
     void measure_between(const Direction& d, bool is_void) {
         std::map<std::pair<std::uint32_t, std::uint32_t>, Distance> found;
         const auto nearest = [&](const Wall& wall, const std::vector<Wall>& others, bool is_ahead) {
@@ -488,7 +488,7 @@ private:
         return std::nullopt;
     }
 
-    // True if the point is in the face, by the angles that the loops turn around it.
+    // True if the point is in the face, according to the turns of the loops around the point.
     static bool holds(const Direction& d, const Wall& wall, double x, double y) {
         double turn = 0.0;
         for (const auto& points : wall.loops) {

@@ -33,7 +33,7 @@ bool cross_each_other(const MapSegment& s, const MapSegment& t) {
 
 bool interfere(const MapSegment& s, const MapSegment& t, double clear) {
     const double near = clear * clear;
-    // Adjacent segments share a point; the parts beyond that point must not lie on each other.
+    // Adjacent segments share a point; the parts beyond that point must not overlap.
     const bool joined = s.to == t.from;
     const bool joined_back = t.to == s.from;
     const bool heads = s.from == t.from;
@@ -96,23 +96,23 @@ struct RepeatedContact {
     double least_sine;      // at an angle with at least this sine,
     double least_distance;  // mm: farther than this from the common point.
 };
-// Angle that readers notice. At smaller angles, curves are tangent in their corner except for
+// Angle that CAD readers notice. At smaller angles, curves are tangent in their corner except for
 // rounding.
 constexpr RepeatedContact kCrossing{kRounding, 0.06, kLeastSizeMm};
 // Any angle, far from the corner. Facets may leave a corner that stands for two; curves that miss
 // only by rounding cross nearer to the corner.
 constexpr RepeatedContact kCrossingElsewhere{kRounding, 0.0, 0.1};
 
-// True if the pieces, which start in a common point, run apart: each stays within an angle of its
-// chord, and the angles do not overlap. A circle leaves its chord by an angle of four times its
-// height per length; twice that is allowed for.
+// True if the pieces, which start in a common point, run apart: each stays within an angle about
+// the chord, and the angles do not overlap. A circle leaves the chord by an angle of 4 height /
+// length; the angle here is twice this value.
 bool run_apart(const MapSegment& s, const MapSegment& t, const RepeatedContact& limits) {
     const double widths = 8.0 * (s.deviation / s.length() + t.deviation / t.length());
     return sine_between(s, t) > widths + limits.clearance / limits.least_distance;
 }
 
-// True if the pieces, which start in a common point, meet again. Next to facets, curves miss their
-// ends by more than the criterion; the piece left after all halvings is such a miss.
+// True if the pieces, which start in a common point, meet again. Next to facets, curves miss the
+// vertices by more than the criterion; the piece left after all halvings is due to this gap.
 bool meet_past_common_end(const FaceMap& map, const MapSegment& s, const MapSegment& t,
                           const RepeatedContact& limits, int halvings = 40) {
     if (halvings == 0) return false;
@@ -260,7 +260,7 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const FaceMap& map,
     const auto do_interfere = [&](const MapSegment& s, const MapSegment& t) {
         const bool both_straight = s.is_straight && t.is_straight;
         if (both_straight) return interfere(s, t, clear);
-        // Chords of curves that are tangent in a common end may lie on each other. On cones,
+        // Chords of curves that are tangent in a common end may lie on each other. On cones, CAD
         // readers report a crossing.
         const RepeatedContact near_end{clear, 0.0, 0.05};
         const auto is_near = [&] {

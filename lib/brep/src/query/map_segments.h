@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Do the loops of a face cross or touch? Decided on the map of the face. mm.
+// Test on the map of a face whether loops cross or touch. mm.
 #pragma once
 
 #include "ncsim/brep/curve.h"
@@ -17,7 +17,7 @@
 
 namespace ncsim::brep {
 
-/// A piece of an edge on the map: a chord, and how far the curve is from the chord.
+/// Piece of an edge on the map: a chord, and the distance of the curve from the chord.
 struct MapSegment {
     Vec2 a, b;
     std::uint64_t from, to;  ///< Names of the ends; adjacent segments have a common name.
@@ -27,7 +27,7 @@ struct MapSegment {
     std::uint32_t edge;
 
     /// Bound of the distance between chord and curve. A piece of 4 degrees is off by a hundredth of
-    /// its length; the map may bend pieces more.
+    /// the length; the map may bend pieces more.
     double deviation = is_straight ? 0.0 : 0.1 * length();
 
     double length() const {

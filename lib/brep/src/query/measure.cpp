@@ -36,7 +36,8 @@ void integrate_piece(const Track& track, double begin, double width,
     }
 }
 
-// Splines have so many knots that the integrand between knots is of degree 3 to about 1e-9.
+// Calls `piece` for each piece of a track with a rule of quadrature. Splines have so many knots
+// that the integrand between knots is of degree 3 to about 1e-9.
 template <typename Piece>
 void for_pieces(const Track& track, Exactness exactness, const Piece& piece) {
     const std::size_t pieces = track.pieces();
@@ -60,8 +61,8 @@ void integrate(const Track& track, const F& f, Exactness exactness = Exactness::
                });
 }
 
-// Along a level circle, the integrand is of degree 3 at most in cosine and sine; pieces of 45
-// degrees integrate it to the last bit.
+// Integrates `f` along a level circle. The integrand is of degree 3 at most in cosine and sine, so
+// pieces of 45 degrees are exact to the last bit.
 template <typename F>
 void integrate_round(const Track& track, const F& f) {
     const auto pieces =
@@ -72,7 +73,7 @@ void integrate_round(const Track& track, const F& f) {
         integrate_piece(track, static_cast<double>(i) * width, width, kAbscissae, kWeights, f);
 }
 
-// On planes, the integrand along a line is of degree 2 at most.
+// Integrates `f` along an edge of a plane. Along a line, the integrand is of degree 2 at most.
 template <typename F>
 void integrate_level(const Track& track, const F& f) {
     if (track.circle()) return integrate_round(track, f);
@@ -234,7 +235,7 @@ double turns_about(const Part& part, const Face& face, const Axes& axes) {
     return sum / (2.0 * std::numbers::pi);
 }
 
-// --- What circles and tools pass ------------------------------------------------------------
+// --- Surfaces of circles and tools in motion ------------------------------------------------
 
 // Integrates over the time along an edge of an envelope. Near a fold of the envelope, times along
 // edges change like square roots, and points that are off by rounding give inaccurate times. Pieces
@@ -278,7 +279,8 @@ private:
         return all;
     }
 
-    // The closer the fold, the smaller the second derivative of the distance by time.
+    // True if the piece is near a fold: the closer the fold, the smaller is the second derivative
+    // of the distance by time.
     template <std::size_t N>
     static bool is_at_fold(const std::array<Step, N>& all) {
         const auto [least, most] =
@@ -390,7 +392,8 @@ Vec3 across_face(const Axes& axes, Vec3 apex, const Local& p, const Profile& f) 
     return (f.per * dot(w, n)) * w;
 }
 
-// Along the axis, w (w n) is linear in the height, on cones cubic in total: two points are exact.
+// Integrates w (w n) along the axis up to `p`. The integrand is linear in the height, on cones
+// cubic in total, so two points are exact.
 template <typename At>
 Vec3 up_face(const Axes& axes, Vec3 apex, const Local& p, const At& at) {
     Vec3 sum;

@@ -71,7 +71,8 @@ std::optional<double> turns_of_circles(const Part& part, const Face& face) {
     return turns;
 }
 
-// True if loops that go round a closed form do not come in pairs with the face between. The circles
+// True if loops that go round a closed form do not occur in pairs with the face between. The
+// circles
 // of a tube are compared in a common plane.
 bool is_without_end(const Part& part, const Face& face) {
     if (const auto turns = turns_of_circles(part, face)) return std::abs(*turns) > 0.5;
@@ -81,7 +82,7 @@ bool is_without_end(const Part& part, const Face& face) {
     const auto* torus = std::get_if<Torus>(&face.surface.form);
     if (!torus) return false;
     auto loops = points_along(part, face);
-    // On a spindle, the tip is the other end.
+    // A face of a spindle torus may end in the tip instead of a second loop.
     if (is_spindle(*torus)) return false;
     if (std::abs(turns_about(loops, torus->centre, torus->axis)) > 0.5) return true;
     const Axes axes(torus->centre, face.frame);
@@ -94,8 +95,7 @@ bool is_without_end(const Part& part, const Face& face) {
     return std::abs(turns_about(loops, {}, {0.0, 0.0, 1.0})) > 0.5;
 }
 
-// Tests one face. Loops are divided into segments, but for whole circles that are far from all
-// else.
+// Check of a face. Loops are divided into segments, except whole circles far from all other loops.
 class FaceCheck {
 public:
     FaceCheck(const Part& part, std::uint32_t face, double tolerance_mm, double clear_mm)
@@ -134,8 +134,8 @@ private:
     bool is_plane() const { return std::holds_alternative<Plane>(face_.surface.form); }
     void report(std::string what) { faults_.push_back({face_number_, std::move(what)}); }
 
-    // Returns what a loop is on the map, if it is a whole circle that is no tiny one, and counts
-    // it.
+    // Returns the image on the map of a loop that is a whole circle with a radius of at least
+    // kLeastSizeMm; otherwise no value. Counts the loop if the circle is an outline.
     std::optional<FaceMap::Round> round_of(const Loop& loop) {
         const auto circle = whole_circle(part_, loop);
         if (!circle || circle->radius < kLeastSizeMm) return std::nullopt;
@@ -206,7 +206,7 @@ private:
         return true;
     }
 
-    // Tests a point of an edge, and the chord that ends in it.
+    // Tests the point `p` of an edge, and the chord from `last` to `p`.
     void test(Vec3 last, Vec3 p, const FaceMap::Place& place) {
         miss_ = std::max(miss_, std::abs(place.deviation));
         if (map_.is_of_other_half(place.at, tolerance_))
@@ -217,7 +217,7 @@ private:
         if (passes_near_apex(face_.surface.form, last, p)) report("an edge misses the apex");
     }
 
-    // Returns twice the area on the map inside the last loop, from its first segment on.
+    // Returns twice the area on the map inside the last loop, whose first segment is `first`.
     double twice_area(std::size_t first) const {
         double sum = 0.0;
         const Vec2 from = segments_[first].a;
@@ -228,7 +228,7 @@ private:
         return sum;
     }
 
-    // Tests what all loops together must be.
+    // Tests the conditions on all loops together.
     void test_whole(std::optional<double> area_mm2) {
         if (miss_ > tolerance_) report("an edge is off the surface");
         if (is_plane() && outlines_ != 1) report("it has not one outline");

@@ -173,8 +173,7 @@ private:
             const auto& crossings = crossings_[use.edge];
             (is_above_[part_.edges[use.edge].from] ? is_above : is_below) = true;
             for (std::size_t i = 0; i < crossings.size(); ++i) {
-                // The face is on the left of its edges, so the cut begins where an edge
-                // descends.
+                // The face is on the left of the edges, so the cut begins where an edge descends.
                 events.push_back({crossings[i].at, crossings[i].above,
                                   first_[use.edge] + static_cast<std::uint32_t>(i),
                                   crossings[i].goes_up != use.is_forward});
@@ -328,7 +327,7 @@ private:
     // the branch.
     std::optional<bool> has(const Face& face, const PlaneCut& cut, std::size_t branch) const {
         if (face.loops.empty()) return true;
-        // A face with its tip as a corner does not go round.
+        // A face with the tip as a corner does not go round.
         const auto* torus = std::get_if<Torus>(&face.surface.form);
         if (torus && is_spindle(*torus) && face.loops.size() == 1) return false;
         for (int i = 0; i < kSamples / 2; ++i) {

@@ -18,7 +18,7 @@ namespace ncsim::brep {
 
 namespace {
 
-// Depth of a chord that a reader may draw, mm.
+// Depth of a chord that a CAD reader may draw, mm.
 constexpr double kChordDepth = 0.02;
 
 // Centre of a circle or an ellipse, and largest distance from the centre.

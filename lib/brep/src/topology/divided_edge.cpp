@@ -17,7 +17,7 @@ std::array<Curve, 2> divided(const Curve& curve, double at) {
     return divided_at(curve, k.front() + at * (k.back() - k.front()));
 }
 
-// Moves the knots of a curve so that the first one is `begin`.
+// Shifts all knots of a curve, so that the first knot becomes `begin`.
 template <class Curve>
 void begin_at(Curve& curve, double begin) {
     const double shift = begin - curve.knots.front();

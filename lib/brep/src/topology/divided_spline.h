@@ -50,7 +50,7 @@ std::size_t piece_at(const Curve& curve, double place) {
     return std::clamp<std::size_t>(static_cast<std::size_t>(after), 1, curve.knots.size() - 1) - 1;
 }
 
-/// Divides a spline at the parameter `place`, or at a knot that differs from it by rounding.
+/// Divides a spline at the parameter `place`, or at a knot that differs from `place` by rounding.
 template <class Curve>
 std::array<Curve, 2> divided_at(const Curve& curve, double place) {
     const auto& k = curve.knots;

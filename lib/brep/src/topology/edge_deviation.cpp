@@ -36,7 +36,7 @@ std::optional<double> EdgeDeviation::unmeasured_maximum() const {
     const auto is_plane = [](const Form* form) { return std::holds_alternative<Plane>(*form); };
     if (track_.is_straight() && in_parameters_.empty() && std::ranges::all_of(forms_, is_plane))
         return std::nullopt;
-    // OpenCASCADE measures at 23 places.
+    // OpenCASCADE measures at 23 places, ends included.
     const std::size_t parts = 22;
     const auto is_on_forms = [&] {
         for (std::size_t i = 0; i <= parts; ++i) {
@@ -48,7 +48,7 @@ std::optional<double> EdgeDeviation::unmeasured_maximum() const {
     if (miss_mm_ <= 0.7 * kReaderMm && is_on_forms()) return std::nullopt;
     const Maximum measured = largest_of(0.0, 1.0, parts);
     const Maximum most = maximum();
-    // OpenCASCADE adds a hundred thousandth to what it measures.
+    // OpenCASCADE enlarges the measured distance by a hundred thousandth.
     if (most.mm <= (1.0 + 0.5 * kParallelAngle) * std::max(measured.mm, kReaderMm))
         return std::nullopt;
     const Vec3 p = track_.at(most.t);
@@ -78,7 +78,7 @@ EdgeDeviation::Maximum EdgeDeviation::largest_of(double from, double to, std::si
 
 EdgeDeviation::Maximum EdgeDeviation::maximum() const {
     std::vector<Maximum> peaks;
-    double least = 0.0;  // Smaller ones are not worth a search.
+    double least = 0.0;  // Smaller peaks are not refined.
     const auto add_peaks = [&](double from, double to, std::size_t parts) {
         const double step = (to - from) / static_cast<double>(parts);
         double before = 0.0, here = at(from);
@@ -92,7 +92,7 @@ EdgeDeviation::Maximum EdgeDeviation::maximum() const {
             before = std::exchange(here, after);
         }
     };
-    // Each piece of a curve has maxima of its own, and so has each piece of a patch.
+    // Each piece of a curve or of a patch may have separate maxima.
     add_peaks(0.0, 1.0, 200);
     for (std::size_t i = 0; i < track_.pieces(); ++i)
         add_peaks(track_.start_of(i), track_.start_of(i + 1), 8);
@@ -112,7 +112,7 @@ EdgeDeviation::Maximum EdgeDeviation::maximum() const {
     return most;
 }
 
-// Halves the steps around a place.
+// Refines a maximum: moves to the greater of both neighbours, and halves the step if there is none.
 EdgeDeviation::Maximum EdgeDeviation::climb(Maximum from) const {
     for (; from.step > kRounding; from.step *= 0.5) {
         for (const double t : {from.t - from.step, from.t + from.step}) {

@@ -17,7 +17,7 @@ namespace ncsim::brep {
 
 namespace {
 
-// Returns `at`, or the place of a knot within a thousandth of its piece.
+// Returns `at`, or the share of an inner knot nearer than a thousandth of the piece.
 double near_knot(const Spline& spline, double at) {
     const auto& k = spline.knots;
     const double length = k.back() - k.front(), place = k.front() + at * length;

@@ -21,7 +21,8 @@ std::optional<EdgeHalves> split_edge(const Part& part, const Edge& edge, double 
 class EdgeSplitter {
 public:
     explicit EdgeSplitter(Part& part);
-    /// Splits the edge at `at`. False if the edge stays as it is, has been split, or is a new half.
+    /// Splits the edge at `at`. False if the edge cannot be split, has been split, or is a new
+    /// half.
     bool halve(std::uint32_t edge, double at = 0.5);
     /// Does the same, but splits splines at any place with a new knot.
     bool divide(std::uint32_t edge, double at);

@@ -26,8 +26,8 @@ struct Bent {
     Vec3 at, around, along, both;
 };
 
-// Returns the derivative from points one and two steps away, exact for polynomials of degree 4.
 constexpr int kStepsAway = 2;
+// Returns the derivative from points at 1 and 2 steps, exact for polynomials of degree 4.
 template <typename At>
 Vec3 slope_of(const At& steps_away, double step) {
     return (1.0 / (12.0 * step)) *
@@ -182,7 +182,8 @@ private:
         return true;
     }
 
-    // A cubic with given end derivatives has its control points at a third of these from the ends.
+    // Returns the patch. A cubic with given end derivatives has control points at a third of the
+    // derivatives from the ends.
     Patch patch() const {
         std::vector<double> widths, lengths;
         for (std::size_t i = 0; i + 1 < around_.size(); ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Edges and corners of faces, and what is adjacent to them.
+// Edges and corners of faces, and adjacent faces.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -18,7 +18,7 @@ namespace ncsim::brep {
 /// Numbers of vertices, edges or faces of a part.
 using Numbers = std::vector<std::uint32_t>;
 
-/// Sorts elements, and keeps one of those that are equal.
+/// Sorts elements and erases duplicates.
 template <typename T>
 void sort_unique(std::vector<T>& elements) {
     std::sort(elements.begin(), elements.end());
@@ -78,8 +78,9 @@ std::vector<bool> flat_vertices(const Part& part);
 /// Place of a use: loop of the face, use of the loop.
 using UsePlace = std::pair<std::size_t, std::size_t>;
 
-/// Erases two uses, which run there and back. Two loops become one; one loop becomes two, which may
-/// be empty.
+/// Erases two uses in opposite directions between the same corners. Uses of two loops: the loops
+/// are joined, and the second is left empty. Uses of the same loop: the loop is divided, and the
+/// new loop is appended; both may be empty.
 void erase_uses(std::vector<Loop>& loops, UsePlace a, UsePlace b);
 
 /// Calls `visit` for each shell of a solid; the outer shell comes first.
@@ -89,7 +90,7 @@ void for_shells(AnySolid& solid, const Visit& visit) {
     std::ranges::for_each(solid.voids, visit);
 }
 
-/// Appends a face to the part, and to the shell of face `f`. Returns: its number.
+/// Appends a face to the part, and to the shell of face `f`. Returns: the number of the new face.
 std::uint32_t append_face(Part& part, std::uint32_t f, Face face);
 
 }  // namespace ncsim::brep

@@ -34,7 +34,7 @@ Vec3 x_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis)
     return normalized(angle.cos * x + angle.sin * cross(axis, x));
 }
 
-// Returns the frame of a wall or cone between whole circles about its axis, as frame_for would.
+// Returns the frame of a wall or cone between whole circles about the axis, as frame_for() would.
 std::optional<Frame> frame_of_turned(const Part& part, const Face& face) {
     const auto* cylinder = std::get_if<Cylinder>(&face.surface.form);
     const auto* cone = std::get_if<Cone>(&face.surface.form);

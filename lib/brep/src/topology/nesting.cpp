@@ -77,8 +77,8 @@ std::vector<Nesting> nesting_of(const cda::Boundary& boundary) {
     if (solids.empty() && voids.size() == 1) return {{voids.front(), {}}};
     for (const std::uint32_t s : voids) {
         const Vec3 point = boundary.vertices[boundary.faces[shells[s][0]].loops[0][0]];
-        // A single solid, the usual case, needs no test. Of solids in the voids of others, the
-        // innermost has the void.
+        // A single solid, the usual case, needs no test. If a solid is in a void of another solid,
+        // the innermost solid around the point has the void.
         const auto encloses = [&](std::size_t i) {
             return solids.size() == 1 ||
                    winding_number(boundary, shells[solids[i].outside], point) > 0.5;

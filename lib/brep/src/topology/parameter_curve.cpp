@@ -29,8 +29,8 @@ double angle_rad(double x, double y) {
     return angle_of(x, y) * kRadiansPerDegree;
 }
 
-// Returns the factors of `u` and `v` in the part of `w` in their plane. Where they are parallel,
-// the factors are the smallest ones if `any` is set, otherwise there is no result.
+// Returns the factors of `u` and `v` in the projection of `w` on the plane of `u` and `v`. If `u`
+// and `v` are parallel: the smallest factors if `any`, otherwise no value.
 std::optional<Vec2> components(Vec3 u, Vec3 v, Vec3 w, bool any) {
     double uu = dot(u, u), vv = dot(v, v);
     const double uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
@@ -46,15 +46,15 @@ std::optional<Vec2> components(Vec3 u, Vec3 v, Vec3 w, bool any) {
 
 }  // namespace
 
-// A circle may miss the ends of its edge, and its track does not.
+// A circle in a file may miss the ends of the edge; the track contains both ends.
 Vec3 point_in_file(const Track& track, Vec3 p) {
     const Circle* circle = track.circle();
     if (!circle) return p;
     return circle->centre + circle->radius * normalized(p - circle->centre);
 }
 
-// An edge with the parameter of its curve in a file. Curves in parameters end in the corners, where
-// readers join them.
+// Edge with the parameter of the edge's curve in a file. Curves in parameters end in the corners,
+// because CAD readers join curves there.
 class ParameterSurface::FileCurve {
 public:
     FileCurve(const Part& part, const Edge& edge)
@@ -66,14 +66,14 @@ public:
             length_ = norm(part.vertices[edge.to] - part.vertices[edge.from]);
         } else {
             begin_ = track_.start_degrees() * kRadiansPerDegree;
-            // Readers begin at 0, not at a turn, if the two differ by rounding.
+            // CAD readers begin at 0, not at a whole turn, if both differ by rounding.
             if (begin_ < -kRounding) begin_ += kTurn;
             if (begin_ > kTurn - kRounding) begin_ -= kTurn;
             length_ = track_.sweep_degrees() * kRadiansPerDegree;
         }
     }
 
-    // Returns the parameter at which the rest of the edge begins if it is an edge of its own.
+    // Returns the parameter at which the rest of the edge begins if the rest is a separate edge.
     double begin_of_rest(double at) const {
         const double begin = begin_ + at * length_;
         if (!track_.is_ellipse()) return 0.0;
@@ -86,7 +86,7 @@ public:
             result.push_back(begin_ + length_ * track_.start_of(i));
         return result;
     }
-    // Point and derivative by the parameter.
+    // Returns point and derivative by the parameter.
     Track::Step at(double t) const {
         Track::Step step = track_.step(std::clamp((t - begin_) / length_, 0.0, 1.0));
         step.derivative = (1.0 / length_) * step.derivative;
@@ -155,7 +155,8 @@ ParameterSurface::Point ParameterSurface::point_of_half(Place place) const {
             (2.0 * ramp.radius / square) * (cosine * y - sine * frame_.x), ramp.along};
 }
 
-// On cones, lines of readers end elsewhere; on patches, a point farther off may have several feet.
+// Limits: on cones, lines of CAD readers end elsewhere; on patches, a point farther off may have
+// several nearest points.
 double ParameterSurface::farthest() const {
     if (patch_) return 10.0 * kPointError;
     return std::holds_alternative<Cone>(form_) ? 2.0 * kPointError : kTangencyGapMm;
@@ -203,7 +204,7 @@ std::optional<ParameterSurface::Place> ParameterSurface::first_place(Vec3 p) con
     double u = angle_rad(x, y);
     if (u < 0.0) u += kTurn;
     if (std::holds_alternative<Sphere>(form_)) return Place{u, angle_rad(radius, along)};
-    // The foot of the perpendicular: readers project so.
+    // The foot of the perpendicular, because CAD readers project in this way.
     if (const auto* cone = std::get_if<Cone>(&form_)) {
         const double height = dot(frame_.origin - cone->apex, cone->axis);
         const double slope = cone->slope;
@@ -253,7 +254,7 @@ std::optional<ParameterSurface::Place> ParameterSurface::place(Vec3 p, Place nea
     return at;
 }
 
-// Interpolates one edge.
+// Interpolation of an edge in the parameters of a surface.
 class ParameterSurface::Fitter {
 public:
     Fitter(const ParameterSurface& surface, const FileCurve& curve)
@@ -312,7 +313,8 @@ private:
         return components(point.by_u, point.by_v, curve_.at(t).derivative, false);
     }
 
-    // Adds nodes after the last one up to `t`.
+    // Adds nodes up to `t`; halves the piece at most `halvings` times. False if the curve stays too
+    // far from the edge.
     bool add_piece(double t, int halvings) {
         const Node from = nodes_.back();
         const double width = t - from.t;
@@ -325,7 +327,8 @@ private:
                add_piece(t, halvings - 1);
     }
 
-    // Is the curve between two nodes nearly as near as the edge itself?
+    // True if the curve between two nodes is within 0.7 kReaderMm of the edge, or hardly farther
+    // from the edge than the surface.
     bool is_near(const Node& from, const Node& to) {
         const double width = to.t - from.t;
         return std::ranges::all_of(std::array{0.2, 0.4, 0.6, 0.8}, [&](double s) {

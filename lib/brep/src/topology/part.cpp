@@ -30,7 +30,7 @@ std::size_t mark_tessellated(Part& part, cda::Origin origin) {
             for (const EdgeUse& use : loop) {
                 const std::uint32_t other = std::exchange(face_of_edge[use.edge], f);
                 if (other == kNone || other == f) continue;
-                // A facet and its neighbour turn by less than 30°.
+                // Adjacent facets of a curved surface meet at an angle of less than 30°.
                 if (dot(normal, std::get<Plane>(part.faces[other].surface.form).normal) < 0.866)
                     continue;
                 found.insert({f, other});

@@ -29,7 +29,7 @@ struct Quintic {
 // Returns the arc from x to y about `centre`, both with the length of the radius and perpendicular;
 // a helix if `rise` per radian is not zero. The parameter is the angle: position and two
 // derivatives are exact at knots, and between knots 10 degrees apart the error is 6e-10 of the
-// radius. Readers map circles on such a surface to evenly spaced parameters.
+// radius. CAD readers map circles on this surface to evenly spaced parameters.
 Quintic quintic_of_arc(Vec3 centre, Vec3 x, Vec3 y, double begin, double end, double piece,
                        Vec3 rise = {}) {
     const int pieces = std::max(1, static_cast<int>((end - begin) / piece) + 1);
@@ -139,7 +139,7 @@ Patch patch_of_dome(const Part& part, const Face& face, const Dome& dome) {
     return patch;
 }
 
-// True if a level circle is at `degrees`, so that the patch may end there. Readers know the
+// True if a level circle is at `degrees`, so that the patch may end there. CAD readers know the
 // parameters of edges on the end of a patch without a search.
 bool ends_level(const Part& part, const Face& face, const Coil& coil, double degrees) {
     for (const EdgeUse& use : uses_of(face)) {

@@ -17,7 +17,7 @@ std::optional<WholeCircle> whole_circle(const Part& part, const Loop& loop) {
     const Edge& edge = part.edges[loop.front().edge];
     const auto* circle = std::get_if<Circle>(&edge.curve);
     if (!circle || edge.from != edge.to) return std::nullopt;
-    // The track of the edge has the height and the distance of its start.
+    // The edge's track starts in the vertex, so height and radius are taken from the vertex.
     const Vec3 start = part.vertices[edge.from];
     const Vec3 centre = circle->centre + dot(start - circle->centre, circle->axis) * circle->axis;
     return WholeCircle{centre, loop.front().is_forward ? circle->axis : -circle->axis, start,

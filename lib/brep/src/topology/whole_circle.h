@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Loops that are one whole circle: the rims of bores. mm, frame W.
+// Loops of a single whole circle, such as the rims of bores. mm, frame W.
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -9,8 +9,8 @@
 
 namespace ncsim::brep {
 
-/// A loop of one edge: a circle from `start` counter-clockwise about `axis` (unit), as the face
-/// uses the edge.
+/// Circle that is a loop of a face: from `start` counter-clockwise about the unit vector `axis`, in
+/// the direction in which the face uses the edge.
 struct WholeCircle {
     Vec3 centre, axis, start;
     double radius = 0.0;
@@ -19,7 +19,7 @@ struct WholeCircle {
     bool is_about(Vec3 origin, Vec3 along) const;
 };
 
-/// Returns the circle that a loop is; nothing if the loop is anything else.
+/// Returns the circle of a loop; no value if the loop is not a single whole circle.
 std::optional<WholeCircle> whole_circle(const Part& part, const Loop& loop);
 
 }  // namespace ncsim::brep

@@ -10,7 +10,7 @@
 
 namespace ncsim::brep {
 
-/// True if readers accept `part`, which has planes and straight edges only.
+/// True if CAD readers accept `part`, which has planes and straight edges only.
 /// Requires: all faces are planes, all edges lines.
 /// Returns: true if the part is closed (each edge is used twice, in opposite directions, and loops
 /// are connected); no face is narrower than its corners are off adjacent planes; no loops cross,

@@ -25,7 +25,7 @@ Frame frame_in_file(const Part& part, const Face& face);
 
 /// Returns the half of a shallow ramp on which the whole face lies. A ramp is shallow if its line
 /// rises by less than 0.1 of its length. At the sides of a shallow ramp, the half of the circle in
-/// front and the half behind are nearly at the same height, so readers confuse the halves.
+/// front and the half behind are nearly at the same height, so CAD readers confuse the halves.
 /// Returns: a unit vector perpendicular to the axis, towards the half in front or behind; no value
 /// if the face is not on a shallow extrusion, has no corner near the side of the circle, or spans
 /// both halves.

@@ -10,10 +10,10 @@ namespace ncsim::brep {
 /// True if a face of a cylinder or a coil winds about its axis by more than a turn.
 bool has_long_windings(const Part& part);
 
-/// Divides faces of cylinders and coils that wind about their axis by more than a turn, as walls of
-/// helical grooves, into faces of at most half a turn. Readers trim by parameters that repeat after
-/// a turn, so Booleans with such a face lose the part. Faces of coils with more than one loop, and
-/// those whose parts would have faults, stay.
+/// Divides faces of cylinders and coils that wind about their axis by more than a turn, such as
+/// walls of helical grooves, into faces of at most half a turn. CAD readers trim by parameters that
+/// repeat after a turn, so Boolean operations with an undivided face lose the part. Faces of coils
+/// with more than one loop, and faces whose pieces would have faults, stay.
 void split_long_windings(Part& part);
 
 }  // namespace ncsim::brep

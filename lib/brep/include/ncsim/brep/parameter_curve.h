@@ -24,7 +24,8 @@ struct ParameterCurve {
     double miss_mm = 0.0;
 };
 
-/// Moves a point of the track of an edge to where the curve is in a file: on its circle.
+/// Moves a point of the track of an edge onto the circle of the edge, where the curve is in a file.
+/// Points of other curves stay.
 Vec3 point_in_file(const Track& track, Vec3 p);
 
 /// Surface of a face with the parameters of ISO 10303-42: radians about the axis and mm along it
@@ -32,17 +33,17 @@ Vec3 point_in_file(const Track& track, Vec3 p);
 /// tori; spindles from the lower tip), or those of a patch.
 class ParameterSurface {
 public:
-    /// Returns nothing for planes, on which readers need no help.
+    /// Returns no value for planes, on which CAD readers need no parameter curves.
     /// `patch` is patch_of() for forms that files store as splines, otherwise null.
     static std::optional<ParameterSurface> of(const Part& part, const Face& face,
                                               std::shared_ptr<const Patch> patch);
 
     /// Returns the curve of an edge: within 7e-8 mm of the edge, within 3e-8 mm more than 1.0001
     /// times the distance of the edge from the surface, or, on patches, within 1.5 times that
-    /// distance. Nothing if the edge is a parameter line that readers find without error (lines on
-    /// cylinders and cones, circles about the axis), if it touches a pole or an apex, if it is off
-    /// the surface by more than programs round (2e-6 mm on cones, 1e-5 mm on patches), or if no
-    /// curve is as near as that.
+    /// distance. No value if no curve is as near; if the edge is a parameter line that CAD readers
+    /// find without error (lines on cylinders and cones, circles about the axis); if the edge
+    /// touches a pole or an apex; or if the edge is off the surface by more than programs round
+    /// (2e-6 mm on cones, 1e-5 mm on patches).
     std::optional<ParameterCurve> curve_of(const Part& part, const Edge& edge) const;
 
     /// Returns the point of the surface at `t` of a curve of it, 0 to 1 of the curve's parameter.
