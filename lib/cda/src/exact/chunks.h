@@ -10,8 +10,8 @@
 
 namespace ncsim::cda {
 
-/// An array that grows without moving its items. So the array never exists twice, and at most one
-/// chunk is unused. For arrays that take a large share of the memory.
+/// Array that grows without moving items, for arrays that take a large share of the memory. The
+/// array never exists twice, and at most a single chunk is unused.
 template <class T>
 class Chunks {
 public:

@@ -9,7 +9,7 @@ namespace ncsim::cda {
 
 namespace {
 
-// Returns the parts of `body` outside of `other`; empty if the two have no common volume.
+// Returns the parts of `body` outside of `other`; no value without a common volume.
 std::optional<std::vector<ConvexPolytope>> parts_outside(const ConvexPolytope& body,
                                                          const ConvexPolytope& other) {
     if (!body.bounds().overlaps(other.bounds())) return std::nullopt;
@@ -30,7 +30,7 @@ std::optional<ConvexPolytope> first_of_difference(
     const ConvexPolytope& body, std::span<const ConvexPolytope* const> taken,
     const std::function<bool(const ConvexPolytope&)>& accept) {
     // Depth-first search with a stack of pieces, each with the number of subtracted bodies. Memory
-    // is the depth times the pieces of one cut.
+    // is the depth times the pieces of a cut.
     std::vector<std::pair<ConvexPolytope, std::size_t>> stack;
     stack.emplace_back(body, 0);
     while (!stack.empty()) {

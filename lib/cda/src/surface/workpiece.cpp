@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Answers that every model derives from its boundary.
+// Answers that every model derives from the boundary.
 #include "ncsim/cda/workpiece.h"
 
 #include "ncsim/base/triangle_mesh.h"
@@ -15,7 +15,7 @@ namespace ncsim::cda {
 void WorkpieceModel::record_surface(SurfaceRecorder& recorder) const {
     const Boundary surface = boundary();
     const TriangleMesh mesh = triangulate(surface);
-    // A single cell, with a hash that no other state has.
+    // A single cell, with a hash that is unique to this state.
     std::vector<SurfaceRecorder::Cell> cells(1);
     cells[0].hash = extended({}, recorder.states());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
