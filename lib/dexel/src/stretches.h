@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Division of a batch into stretches of two kinds, in order: tools that are open above the stock,
-// which rays along z process in blocks (open_cutter.h), and all other bodies, which are processed
-// one by one. So a single body of the second kind does not slow the whole batch down.
+// which rays along z process in blocks (open_cutter.h), and all remaining bodies, which are
+// processed individually. Thus a single body of the second kind does not slow down the whole batch.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct Stretch {
     bool operator==(const Stretch&) const = default;
 };
 
-/// Shorter runs of open tools are processed one by one at the same cost.
+/// Least number of consecutive open tools for a block. Fewer tools take the same time individually.
 inline constexpr std::size_t kFewOpen = 32;
 
 /// Divides `count` bodies into non-empty stretches; consecutive stretches have different kinds.
