@@ -26,20 +26,20 @@ struct DrawnBox {
     void add(const DrawnBox& box, double moved);
 };
 
-/// Returns a rectangle around `section`. A whole circle is inside exactly, a whole ellipse with the
-/// circle of its major radius, an arc with its chords.
+/// Returns a rectangle around `section`. Whole circles are enclosed exactly, whole ellipses by the
+/// circle of the major radius, arcs by chords.
 DrawnBox box_of(const brep::Section& section);
 DrawnBox box_of(const std::vector<DrawnSection>& sections);
 
-/// Returns points of `piece` after its start, in order, ending with its end. The points are close
-/// enough to keep the chords within brep::kChordsMm of the curve.
+/// Returns points of `piece` after the start, in order, up to the end. The points are close enough
+/// to keep the chords within brep::kChordsMm of the curve.
 std::vector<Vec2> chords_of(const brep::SectionPiece& piece);
 
 /// Returns the angle of `p` about `centre`, in degrees in [0, 360).
 double angle_about(Vec2 centre, Vec2 p);
 
-/// Returns the title of `section`, such as "Z-4 of part.nc, moved by 60, of facets". `moved` is in
-/// mm.
+/// Returns the title of `section`, for example "Z-4 of part.nc, moved by 60, of facets". `moved` is
+/// in mm.
 std::string title_of(const DrawnSection& section, double moved, const std::string& program);
 
 }  // namespace ncsim::exporter

@@ -116,8 +116,9 @@ const std::vector<Entity>& StepGeometry::edges_of(std::uint32_t number) {
     return made;
 }
 
-// Adds an edge with what it is in the parameters of its surfaces. Without these, readers project
-// the curve, and their Booleans find what they miss by.
+// Adds an edge with the curves in the parameters of the adjacent surfaces. Without these curves,
+// CAD readers project the edge, and Boolean operations fail because of the distance between edge
+// and projection.
 Entity StepGeometry::add_edge(const brep::Part& part, const brep::Edge& edge,
                               const std::vector<OnSurface>& in_parameters, const Vertex& from,
                               const Vertex& to) {
@@ -137,7 +138,7 @@ Entity StepGeometry::parameter_curve(Entity surface, const brep::ParameterCurve&
                 "REPRESENTATION_CONTEXT('',''))");
     std::vector<Entity> points;
     points.reserve(curve.points.size());
-    // More digits are below what the curve is off.
+    // Further digits are smaller than the error of the curve.
     const auto rounded = [](double x) { return std::round(1e11 * x) / 1e11; };
     for (const auto& [u, v] : curve.points)
         points.push_back(add("CARTESIAN_POINT('',({},{}))", {rounded(u), rounded(v)}));
@@ -243,9 +244,9 @@ Entity StepGeometry::patch_surface(const brep::Patch& patch) {
          along.places});
 }
 
-// Writes a spindle torus, for which readers do not accept TOROIDAL_SURFACE, as a surface of
-// revolution: the arc of its circle from tip to tip, rotated about the axis. The circle begins
-// in the lower tip.
+// Writes a spindle torus, for which CAD readers do not accept TOROIDAL_SURFACE, as a surface of
+// revolution: the arc of the circle from tip to tip, rotated about the axis. The circle begins in
+// the lower tip.
 Entity StepGeometry::spindle(const brep::Torus& form, const brep::Frame& frame) {
     const Vec3 y = cross(frame.axis, frame.x);
     const double height =
@@ -254,7 +255,7 @@ Entity StepGeometry::spindle(const brep::Torus& form, const brep::Frame& frame) 
     const Entity circle = add("CIRCLE('',{},{})",
                               {place({frame.origin + form.major * frame.x, -y, down}), form.minor});
     const Entity from = point(frame.origin - height * frame.axis);
-    // If both tips are one point, a circle trimmed there would be ambiguous.
+    // If both tips coincide, a circle trimmed there would be ambiguous.
     constexpr double kLeastApart = 1e-2, kMost = 175.0;
     const auto last = sin_cos(kMost);
     const Entity to = point(height > kLeastApart * form.minor

@@ -27,11 +27,11 @@ public:
     StepGeometry(std::ostream& out, const brep::Part& part);
 
     Entity point(Vec3 p) { return add("CARTESIAN_POINT('',{})", {p}); }
-    /// Returns a placement at `p`, a point or its entity, with the axes z and x.
+    /// Returns a placement at `p`, a point or the entity of a point, with the axes z and x.
     template <class Point>
     Entity placement(Point p, Vec3 z, Vec3 x);
-    /// Returns the edges that stand for an edge of the part in the file, in its direction: one, or
-    /// two that meet where the edge is farthest from its surfaces.
+    /// Returns the edges in the file for an edge of the part, in the same direction: a single edge,
+    /// or two edges that meet where the edge of the part is farthest from the adjacent surfaces.
     const std::vector<Entity>& edges_of(std::uint32_t number);
     /// Returns the surface of a face.
     Entity surface(std::uint32_t face) { return parameters_of(face).entity; }
@@ -72,8 +72,9 @@ private:
     std::vector<Surface> surfaces_;                       // by face
     std::unordered_map<std::string, Entity> directions_;  // by their text
     static constexpr std::uint32_t kNoFace = ~std::uint32_t{0};
-    std::vector<std::array<std::uint32_t, 2>> faces_of_edge_;  // that uses it forward, backward
-    Entity flat_context_;                                      // of curves in parameters
+    // Faces that use each edge forward and backward.
+    std::vector<std::array<std::uint32_t, 2>> faces_of_edge_;
+    Entity flat_context_;  // of curves in parameters
 };
 
 template <class Point>

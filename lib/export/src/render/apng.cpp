@@ -15,7 +15,7 @@ namespace ncsim::exporter {
 
 namespace {
 
-// Level of zlib, as for other pictures (png.cpp).
+// Level of zlib, equal to the level in png.cpp.
 constexpr int kApngEffort = 5;
 
 [[noreturn]] void refuse_apng(const std::string& why) {
@@ -39,7 +39,7 @@ void write_chunk(std::ostream& out, std::string_view type, std::string_view cont
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-// Returns the compressed rows of the region. Each row begins with its filter: none.
+// Returns the compressed rows of the region. Each row begins with the filter type None.
 std::string packed(const Image& image, const FrameRegion& region) {
     std::string rows;
     rows.reserve(std::size_t{region.height()} * (3 * std::size_t{region.width()} + 1));
@@ -96,7 +96,7 @@ void ApngWriter::write(std::ostream& out) const {
         ++sequence;
         append_big_endian(control, static_cast<std::uint32_t>(frame.hundredths), 2);
         append_big_endian(control, 100, 2);  // parts of a second
-        append_big_endian(control, 0, 2);    // the frame stays and replaces its rectangle
+        append_big_endian(control, 0, 2);    // the frame stays and replaces the rectangle
         write_chunk(out, "fcTL", control);
         if (&frame == frames_.data()) {
             write_chunk(out, "IDAT", frame.pixels);
