@@ -47,8 +47,8 @@ std::optional<Runner::ContourSource> Runner::find_contour(const std::string& nam
     return source;
 }
 
-/// Runs the contour `name` with a machine of its own, and returns its moves in the plane; the first
-/// move leads to the contour and is left out. Returns no moves after reporting a missing program.
+/// Runs the contour `name` with a separate machine, and returns the moves in the plane without the
+/// first move, which leads to the contour. Returns no moves after a report of a missing program.
 std::optional<language::Pass> Runner::record_contour(const std::string& name, SourceSpan span) {
     const std::optional<ContourSource> source = find_contour(name, span);
     if (!source) return std::nullopt;
@@ -57,7 +57,7 @@ std::optional<language::Pass> Runner::record_contour(const std::string& name, So
     const auto is_of_file = [&](const Program& one) {
         return one.file == programs_[source->program].file;
     };
-    // The programs of a file are in the order of its sections.
+    // The programs of a file are in the order of the sections of the file.
     const auto first = std::ranges::find_if(programs_, is_of_file);
     const std::size_t section =
         source->program - static_cast<std::size_t>(first - programs_.begin());
@@ -68,7 +68,7 @@ std::optional<language::Pass> Runner::record_contour(const std::string& name, So
         Runner runner(file, options_, ways_, rules_, centres_, take, log_, ignored);
         runner.variables_ = variables_;
         runner.control_.begin_contour(control_);
-        // Reading the file counts as running its lines.
+        // A read of the file counts as an execution of all lines.
         runner.repeated_ = repeated_ + line_count(file.text);
         log_.set_file(&file == files_[0].source ? std::string() : file.name);
         const bool done = runner.run_contour(*source, section);

@@ -7,8 +7,8 @@ namespace ncsim::gcode {
 
 /// Options of BlockReader.
 struct ParserOptions {
-    /// Reports as errors the extensions of other controls that RS274/NGC lacks: nested comments,
-    /// checksums, expressions without brackets, console commands.
+    /// Reports extensions that RS274/NGC lacks as errors: nested comments, checksums, expressions
+    /// without brackets, console commands.
     bool strict = false;
 };
 
