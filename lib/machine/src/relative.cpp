@@ -67,7 +67,8 @@ Ball move_ball(const Chain& chain, const JointMotion& joint_motion, Ball body) {
             body.bend += turn * turn * distance + 2.0 * turn * body.speed;
             body.speed += turn * distance;
             body.centre = move_by_joint(joint, 0.5 * (from + to), body.centre);
-            // The centre's distance from its middle position is at most the arc, and at most the
+            // The distance of the centre from the middle position is at most the arc, and at most
+            // the
             // diameter.
             body.radius += std::min(0.5 * turn, 2.0) * aside;
             continue;
