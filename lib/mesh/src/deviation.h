@@ -7,9 +7,9 @@
 
 namespace ncsim::mesh {
 
-/// Returns the largest distance, in mm, from a corner or the middle of a triangle of either mesh to
-/// the other mesh: the Hausdorff distance, sampled at these points. Infinite if exactly one mesh is
-/// empty.
+/// Returns the largest distance from a corner or the middle of a triangle of `a` to `b`, or of `b`
+/// to `a`, mm: the Hausdorff distance, sampled at these points. Infinite if exactly one of the
+/// meshes is empty.
 /// Cost: O(n log n) expected.
 double deviation(const TriangleMesh& a, const TriangleMesh& b);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Test for boundaries that simplify() would not change. simplify() would spend most of its time on
-// triangles that it joins to the original faces again.
+// Test for boundaries that simplify() would not change. For these boundaries, simplify() would
+// spend
+// most of the time on triangles, and then join the triangles to the original faces.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -15,15 +16,15 @@ namespace ncsim::mesh {
 /// Cosine of 15°: faces whose normals differ by more are not joined.
 inline constexpr double kMinNormalCosine = 0.9659;
 
-/// Returns the boundary with its loops in the order of simplify_any() if no face changes for
+/// Returns the boundary with all loops in the order of simplify_any() if no face changes for
 /// `share_mm` (mm, a quarter of the tolerance); nullopt if a face may change. The test is
 /// sufficient and not necessary: each vertex has at least three loops, no loops of a face meet, no
 /// triangle is thin, no shell is a flake, and no two adjacent faces of one line are nearly
 /// coplanar.
 ///
 /// Requires: at least one face.
-/// Guarantees: the faces, their loops, their origins and their planes are those of simplify_any();
-///     the deviation is 0.
+/// Guarantees: faces, loops, origins and planes are equal to the result of simplify_any(); the
+///     deviation is 0.
 /// Cost: about that of cda::triangulate().
 std::optional<Simplified> plain_boundary(const cda::Boundary& boundary, double share_mm,
                                          const Provenance* lines);
