@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Facts about a cut, from its plan.
+// Facts about a cut, from the plan.
 #include "ncsim/report/cutting_facts.h"
 
 namespace ncsim::report {

@@ -31,7 +31,7 @@ struct Place {
     std::uint32_t file = 0, line = 0;
 };
 
-// A line of one of the files of a program.
+// Line of a file of a program.
 struct LineState {
     std::uint64_t executions = 0;
     gcode::MachineState before, after;
@@ -42,7 +42,7 @@ struct LineState {
     verify::Distances distances;
 };
 
-// Follows a program, and keeps what each file does at one line.
+// Follows a program, and keeps the effect of a line, by file.
 class LineWatch {
 public:
     LineWatch(std::uint32_t line, const toolpath::Kinematics* machine)
@@ -94,8 +94,8 @@ private:
     std::map<std::uint32_t, LineState> by_file_;
 };
 
-// Returns X, Y and Z in the machine, in active units. Under a tilted plane, tip control or
-// interpolation they are not known.
+// Returns X, Y and Z in the machine, in active units; no value under a tilted plane, tip control or
+// interpolation.
 std::optional<std::array<double, 3>> known_machine_position(const gcode::MachineState& s) {
     const bool is_plain = !s.frames.tilt && s.coordinates == gcode::Coordinates::Axes &&
                           !s.polar_interpolation && !s.cylinder;
@@ -141,7 +141,7 @@ std::uint32_t first_line_of(const gcode::SourceFile& file, std::uint32_t line) {
     return line;
 }
 
-// Adds what the block removed, or why that is not known.
+// Adds the removed volume of the block, or the reason why the volume is unknown.
 void add_removed(const simulation::Plan& plan, const simulation::Survey& survey, std::uint32_t file,
                  Explanation& explanation) {
     if (!survey.is_ready()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rows of operations for people: what a tool does under the same name is one row.
+// Rows of operations for tables: operations of a tool with the same name are a single row.
 #pragma once
 
 #include "ncsim/simulation/facts.h"
@@ -10,14 +10,15 @@
 
 namespace ncsim::report {
 
-/// An operation that cuts, with the sums of its executions.
+/// Cutting operation, with the sums over all executions.
 struct OperationRow {
     simulation::ProgramFacts::Operation operation;
     double removed_mm3 = 0.0;
 };
 
-/// Returns rows in the order of execution, of one tool or of all; none if there are fewer than two
-/// or no row has a name. `removed` are the volumes (mm³) by operation; empty if they are not known.
+/// Returns rows in the order of execution, of `tool` or of all tools; none if there are fewer than
+/// two rows or no row has a name. `removed`: removed volume of each operation, mm³; empty if
+/// unknown.
 std::vector<OperationRow> operation_rows(const simulation::ProgramFacts& program,
                                          const std::vector<double>& removed = {},
                                          std::optional<int> tool = std::nullopt);

@@ -40,7 +40,7 @@ std::string name_html(const std::string& path) {
     return escaped(relative_path(path));
 }
 
-// HTML of one comparison.
+// HTML of a comparison.
 class SetUpReview {
 public:
     SetUpReview(const simulation::Review& review, std::string prefix, LengthUnit unit)
@@ -144,7 +144,7 @@ private:
                    old_name_, volume_html(d.only_old.volume_mm3, unit_), new_name_,
                    volume_html(d.only_new.volume_mm3, unit_));
         }
-        // Each view is a row; the single pictures of equal parts are in one row.
+        // Each view is a row; the single pictures of equal parts share a row.
         const auto row = [](const std::string& figures) {
             return "<div class=\"views\">\n" + figures + "</div>\n";
         };

@@ -25,7 +25,7 @@ extern const std::string_view kSheetStyle;
 
 namespace {
 
-// Returns a drawing of the tool from its profiles: cutting pieces dark, further pieces light.
+// Returns a drawing of the tool from the profiles: cutting pieces dark, further pieces light.
 std::string drawing_of(const toolpath::Tool& tool) {
     double radius = 0.0, height = 0.0;
     for (const toolpath::ToolPiece& piece : tool.pieces) {

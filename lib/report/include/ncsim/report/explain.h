@@ -12,12 +12,12 @@
 
 namespace ncsim::report {
 
-/// Explains the block at `line` (from 1) of `file`, the name of a called file or its last part;
-/// empty: the main program.
-/// Requires: survey is survey(plan).
-/// Throws: std::runtime_error if no such file is called, or if it has fewer lines.
-/// Cost: interprets the program once, and, with the removed volume, simulates it up to the block,
-/// or to the end if the block is executed several times.
+/// Explains the block at `line` (from 1) of `file`: name of a called file, or last part of the
+/// name; empty for the main program.
+/// Requires: `survey` is survey(plan).
+/// Throws: std::runtime_error if no called file has this name, or if the file has fewer lines.
+/// Cost: interprets the program once. With the removed volume, simulates the program up to the
+/// block, or to the end if the block is executed several times.
 Explanation explain(const simulation::Plan& plan, const simulation::Survey& survey,
                     std::uint32_t line, const std::string& file = {}, bool with_volume = true);
 

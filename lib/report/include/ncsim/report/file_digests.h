@@ -13,7 +13,7 @@ namespace ncsim::report {
 /// Digests of files by name; nullopt: the file did not exist.
 using FileDigests = std::map<std::string, std::optional<std::string>>;
 
-/// Converts between digests and one line of JSON.
+/// Converts between digests and a line of JSON.
 /// Returns: nullopt if `line` has a different form.
 std::string line_of(const FileDigests& files);
 std::optional<FileDigests> file_digests_from(std::string_view line);
