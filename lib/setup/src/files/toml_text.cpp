@@ -18,7 +18,8 @@ std::string json_string(std::string_view text) {
     return printable_json(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-// An editor obeys control characters beyond ASCII instead of showing them; JSON escapes the others.
+// Returns `text` as a TOML string. JSON escapes ASCII control characters; further control
+// characters are escaped here, because editors obey control characters instead of showing them.
 std::string quoted(const std::string& text) {
     const std::string json = json_string(text);
     std::string result;

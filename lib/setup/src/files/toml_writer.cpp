@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    // Calls take(item, schema of its value) for all items in the order of the schema.
+    // Calls take(item, schema of the value) for all items in the order of the schema.
     template <class Items, class Take>
     static void in_order(const Items& items, const SchemaJson& schema, const std::string& where,
                          const Take& take) {
@@ -78,7 +78,7 @@ private:
             take(*item, *own);
     }
 
-    // Returns the place of a key in the schema of its table, and the schema of its value.
+    // Returns the place of a key in the schema of `table`, and the schema of the value.
     static std::pair<std::size_t, const SchemaJson*> property(const SchemaJson& table,
                                                               const std::string& key,
                                                               const std::string& where) {
@@ -96,7 +96,7 @@ private:
         throw std::logic_error(fmt::format("'{}' is no key of the schema of '{}'", key, where));
     }
 
-    // Returns the schema of a table: the first alternative that has all its keys.
+    // Returns the schema of a table: the first alternative that has all keys of the table.
     template <class Items>
     const SchemaJson& table_schema(const SchemaJson& any, const Items& items) const {
         const SchemaJson& whole = resolved_schema(root_, any);
@@ -164,7 +164,7 @@ private:
         return text.empty() ? "" : "  # " + text;
     }
 
-    // Returns the lines of a table without its head. `path`: of the table, as in heads.
+    // Returns the lines of a table without the head. `path`: path of the table, as in heads.
     std::string body(const TomlSection& section, const SchemaJson& schema,
                      const std::string& path) const {
         std::string text;
@@ -184,7 +184,7 @@ private:
         return text;
     }
 
-    // Returns the lines of a table. `above`: path of the table that contains it.
+    // Returns the lines of a table. `above`: path of the enclosing table.
     std::string table(const TomlSection& section, const SchemaJson& any,
                       const std::string& above) const {
         const bool is_inner = !above.empty();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Holder files, and completion of tools from these files.
+// Holder files, and completion of tools from holder files.
 #include "job/holder_file.h"
 
 #include "files/schema.h"
@@ -18,7 +18,7 @@ std::vector<toolpath::ToolSpec> read_holder_file(const std::string& path, InputS
     const TomlReader r(name_of_input(path), inputs.read(path, kMostSetUpBytes), kHoldersSchema);
     const TomlTable root(r.root(), "");
     std::map<std::string, std::vector<toolpath::ToolSegment>> holders;
-    // Holders are read first, wherever they are in the file.
+    // Holders are read first, whatever the order in the file.
     root.each("holder", [&](const TomlTable& t) {
         std::string name;
         t.read("name", name);

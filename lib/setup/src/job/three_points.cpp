@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Computes the position of a part from three of its points.
+// Position of a part from three points of the part.
 #include "job/three_points.h"
 
 #include "ncsim/base/angles.h"
@@ -43,7 +43,8 @@ void require_same_distances(const std::array<Vec3, 3>& before, const std::array<
     }
 }
 
-// Returns the angle of (x, y) in degrees; a right angle where it is one but for rounding.
+// Returns the angle of (x, y), degrees. An angle that differs from a multiple of 90 by rounding
+// becomes the multiple.
 double degrees(double y, double x) {
     constexpr double kSnap = 1e-6, kRight = 90.0;
     const double angle = angle_of(x, y);
@@ -62,7 +63,8 @@ TurnAndMove motion_of(const std::array<Vec3, 3>& before, const std::array<Vec3, 
                to[2].*row * from[2].*column;
     };
     using V = Vec3;
-    // About X, then Y, then Z. If Y is a right angle, X and Z turn about one axis, and X does it.
+    // Rotation about X, then Y, then Z. If the angle about Y is a right angle, X and Z turn about
+    // the same axis, and the whole rotation is assigned to X.
     const double sine = -entry(&V::z, &V::x);
     const double cosine = hypotenuse(entry(&V::z, &V::y), entry(&V::z, &V::z));
     constexpr double kLeastCosine = 1e-8;

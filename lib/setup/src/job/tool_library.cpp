@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Unpacks tool libraries of Fusion, and reads those of FreeCAD and HSMWorks as libraries of Fusion,
-// whose values they share.
+// Unpacks tool libraries of Fusion. Reads libraries of FreeCAD and HSMWorks as libraries of Fusion,
+// because all three have the same values.
 #include "ncsim/setup/tool_library.h"
 
 #include "ncsim/base/ascii.h"
@@ -43,7 +43,8 @@ std::string text_of(const Json& json, const char* key) {
 
 // --- FreeCAD ---
 
-// Returns a value such as "5.0000 mm", "0.25 in", "60 °" or 5 in mm or degrees.
+// Returns a value in mm or degrees, from text like "5.0000 mm", "0.25 in", "60 °", or from a
+// number.
 std::optional<double> value_of(const Json& parameters, const char* key) {
     const auto found = parameters.find(key);
     if (found == parameters.end()) return std::nullopt;
@@ -127,7 +128,7 @@ Json tool_of_bit(const Json& bit, const Json& number) {
             {"geometry", std::move(geometry)}};
 }
 
-// Returns the path of a tool bit; empty if there is no such file.
+// Returns the path of a tool bit; empty if the file does not exist.
 std::string path_of_bit(const std::string& folder, const std::string& name, InputSet& inputs) {
     namespace fs = std::filesystem;
     const std::string file = fs::path(name).filename().string();
@@ -204,8 +205,8 @@ std::string as_utf8(const std::string& path, std::string bytes) {
     return text;
 }
 
-// Returns the holder of a tool as Fusion writes one. A section ends at its diameter, above its
-// length; one without a length is a step.
+// Returns the holder of a tool in the format of Fusion. Each section ends with `diameter` after
+// `length`; a section without length is a step.
 Json holder_of_hsm(const tinyxml2::XMLElement& tool) {
     Json segments = Json::array();
     const auto* holder = tool.FirstChildElement("holder");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs ncsim-step and reads its result.
+// Runs ncsim-step and reads the result.
 #include "meshes/step_file.h"
 
 #include <fmt/format.h>
@@ -67,8 +67,8 @@ std::string all_of(std::FILE* file) {
     return bytes;
 }
 
-// Runs `program` with `in` as its standard input and `out` as its standard output. After fork(),
-// only functions that are allowed there are called.
+// Runs `program` with standard input `in` and standard output `out`. After fork(), only functions
+// that are allowed there are called.
 int run(const std::string& program, const std::string& argument, std::FILE* in, std::FILE* out) {
     std::string first = program, second = argument;
     std::array<char*, 3> words{first.data(), second.data(), nullptr};
@@ -173,7 +173,7 @@ StepSurface read_step(const std::string& bytes, double deflection_mm) {
             "it is STEP, which this ncsim cannot read: there is no ncsim-step, which is made "
             "where CMake finds OpenCASCADE; STL and binary glTF can be read");
     }
-    // An incomplete file would be read up to its end.
+    // OpenCASCADE would read an incomplete file up to the end of the data.
     if (bytes.find("END-ISO-10303-21") == std::string::npos)
         refuse("it is STEP that does not end: END-ISO-10303-21 is missing");
     const File in = temporary(), out = temporary();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reports the names of all inputs of this process, for a caller that repeats work when one changes.
+// Reports the names of all inputs of this process, for a caller that repeats work if a file
+// changes.
 #pragma once
 
 #include <functional>
@@ -12,11 +13,11 @@ namespace ncsim::setup {
 /// from any thread, once for each access.
 using InputObserver = std::function<void(const std::string& path)>;
 
-/// Sets the observer of this process; an empty function removes it.
-/// Requires: no other thread reads inputs.
+/// Sets the observer of this process; an empty function removes the observer.
+/// Requires: only this thread reads inputs.
 void observe_inputs(InputObserver observer);
 
-/// Passes `path` to the observer, if there is one.
+/// Passes `path` to the observer, if set.
 void note_input(const std::string& path);
 
 }  // namespace ncsim::setup
