@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Record of motions, and the interpretation in its place.
+// Record of motions, and interpretation of programs too long for a record.
 #include "motions.h"
 
 #include "ncsim/gcode/interpreter.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Motions of a program for all stages, from one interpretation if they are not too many.
+// Motions of a program for all stages, from a single interpretation if the number of motions
+// permits.
 #pragma once
 
 #include "ncsim/gcode/interpretation.h"
@@ -25,9 +26,9 @@ private:
     bool is_too_long_ = false;
 };
 
-/// Calls `sink` with each motion of the program, in the order of execution: those of plan.motions,
-/// or of an interpretation.
-/// Requires: if plan.motions is set, plan.job.interpreter is as it was in the survey.
+/// Calls `sink` with each motion of the program, in the order of execution: from plan.motions, or
+/// from an interpretation.
+/// Requires: if plan.motions is set, plan.job.interpreter is unchanged since the survey.
 void for_each_motion(const Plan& plan, const gcode::MotionSink& sink);
 
 }  // namespace ncsim::simulation

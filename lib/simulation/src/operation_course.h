@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Operations of a program in the order of execution: which one each motion belongs to.
+// Operations of a program in the order of execution, with the operation of each motion.
 #pragma once
 
 #include "ncsim/gcode/motion.h"
@@ -14,21 +14,22 @@
 namespace ncsim::simulation {
 
 /// Follows the operations of a program. A name begins an operation if the next move starts above
-/// the cuts of the operation before, as high as the tool was since the first of them: a comment
-/// between cuts is no name. A tool change begins one, too. What comes before the first cut belongs
-/// to the operation after it. In a loop, a name begins an operation the first time alone.
+/// the cuts of the previous operation, at the greatest height since the first of these cuts; so a
+/// comment between cuts is not a name. A tool change begins an operation, too. Motions before the
+/// first cut belong to the operation of this cut. In a loop, a name begins an operation only in the
+/// first pass.
 class OperationCourse {
 public:
     /// Requires: the lines of `names` rise; `names` outlives the object.
     explicit OperationCourse(std::span<const toolpath::OperationName> names)
         : names_(names), has_begun_(names.size()) {}
 
-    /// Takes the next motion. Returns true if it begins an operation.
+    /// Takes the next motion. Returns true if the motion begins an operation.
     bool take(const gcode::Motion& motion);
 
     /// Number of the current operation, counted from 0. Requires: a motion was taken.
     std::size_t number() const { return count_ - 1; }
-    /// Name of the current operation; null if it has none. It may change until the first cut.
+    /// Name of the current operation; null if unnamed. May change until the first cut.
     const toolpath::OperationName* name() const { return name_; }
     int tool() const { return tool_; }
 

@@ -61,7 +61,7 @@ ReviewSide side_of(const SurveyedPlan& side) {
     return result;
 }
 
-// A part with its surface.
+// Part with the surface to be shown.
 struct ShownPart {
     const SurveyedPlan* side = nullptr;
     const Simulation* simulation = nullptr;
@@ -128,9 +128,8 @@ private:
                                                 options(camera), {}, shading));
     }
 
-    // Draws both parts in colours of their own, and the common material nearer to the eye by a
-    // distance that no picture shows. So a colour is visible only where one part has material that
-    // the other part lacks.
+    // Draws both parts in different colours, and the common material nearer to the eye by an
+    // invisible distance. Thus a colour is visible only where a single part has material.
     std::string difference_png(const exporter::Camera& camera) const {
         constexpr double kNearer = 1.0 / (1 << 18);  // of the depth of the picture
         cda::Boundary common = *common_;
@@ -150,7 +149,8 @@ private:
 
 using RegionLines = std::vector<verify::LineRange> ReviewRegion::*;
 
-// Adds the largest regions of `material`, which `part` has; the other program removed it.
+// Adds the largest regions of `material`, which belongs to `part` only, because the second program
+// removed the material.
 void add_regions(const OneSidedMaterial& material, bool is_only_old, const ShownPart& part,
                  const cda::WorkpieceModel& common, SeenAreas& seen,
                  std::vector<ReviewRegion>& regions) {

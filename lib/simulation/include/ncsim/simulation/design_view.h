@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Comparison of a part with its design, as a picture shows it.
+// Comparison of a part with the design, for pictures.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -16,7 +16,7 @@ namespace ncsim::simulation {
 /// Number of classes of DesignView::areas_mm2.
 inline constexpr std::size_t kDistanceClasses = 41;
 
-/// Distances of a part from its design, and where the part deviates.
+/// Distances of a part from the design, and places of deviations.
 struct DesignView {
     exporter::DesignDistances distances;
     DesignFacts facts;
@@ -27,8 +27,8 @@ struct DesignView {
 };
 
 /// Compares `boundary`, the surface of the part of `simulation`, with `design`.
-/// Requires: `simulation` kept its cuts.
-/// Throws: std::runtime_error if nothing of the part is left.
+/// Requires: `simulation` kept the cuts.
+/// Throws: std::runtime_error if no material of the part is left.
 DesignView design_view(const Design& design, const Simulation& simulation,
                        const cda::Boundary& boundary);
 

@@ -8,12 +8,12 @@
 
 namespace ncsim::simulation {
 
-/// Findings that were accepted before, as check() asks for them.
+/// Findings that the user has accepted, in the form that check() needs.
 class KnownFindings {
 public:
     virtual ~KnownFindings() = default;
 
-    /// Marks the known findings of `checked`, and lists those that were not found again.
+    /// Marks the known findings of `checked`, and lists known findings that were not found again.
     virtual void accept(Checked& checked, const verify::Selection& selection) const = 0;
 
 protected:

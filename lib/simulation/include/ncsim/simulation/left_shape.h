@@ -13,11 +13,10 @@
 
 namespace ncsim::simulation {
 
-/// Returns what `simulation` left of its stock, with the surfaces of its faces for
-/// read_stock_history(), and with the assumptions of the run. Moves the removed cells out of
-/// `simulation`.
-/// Requires: `simulation` kept its cuts and its removed cells.
-/// Cost: that of the boundary, and one pass over the motions of the program.
+/// Returns the part after `simulation`, with the surfaces of the faces for read_stock_history(),
+/// and with the assumptions of the run. Moves the removed cells out of `simulation`.
+/// Requires: `simulation` kept the cuts and the removed cells.
+/// Cost: the cost of the boundary, and a pass over the motions of the program.
 cda::Shape take_left_shape(const Plan& plan, const Survey& survey, Simulation& simulation,
                            const std::vector<std::string>& assumed);
 

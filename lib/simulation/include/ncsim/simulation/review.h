@@ -25,14 +25,14 @@ struct ReviewTool : ToolProcess {
     verify::Distances distances;
 };
 
-/// One of the two programs.
+/// Either of the two programs.
 struct ReviewSide {
     std::string source;              ///< Text of the program.
     std::vector<std::string> files;  ///< Names of files; 0: the program.
     std::map<int, ReviewTool> tools;
 };
 
-/// Connected material that only one part has.
+/// Connected material of a single part.
 struct ReviewRegion {
     bool is_only_old = true;  ///< False: only the new part has the material.
     double volume_mm3 = 0.0;
@@ -43,7 +43,7 @@ struct ReviewRegion {
     bool has_stock_surface = false;  ///< A surface of the material is uncut stock.
 };
 
-/// Pictures from one direction, PNG.
+/// Pictures from the same direction, PNG.
 struct ReviewPicture {
     std::string view;  ///< "isometric"
     std::string before, after;
@@ -60,7 +60,8 @@ struct ReviewPicture {
 struct Review {
     Difference difference;
     ReviewSide old_side, new_side;
-    std::vector<ReviewRegion> regions;  ///< The largest of each kind, those of the old part first.
+    /// The largest regions of each kind; regions of the old part come first.
+    std::vector<ReviewRegion> regions;
     std::vector<ReviewPicture> pictures;
 };
 

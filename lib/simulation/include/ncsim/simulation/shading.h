@@ -12,9 +12,9 @@
 namespace ncsim::simulation {
 
 /// Returns the shading of `boundary`, which has the origins of `simulation`: the part's surface, or
-/// a piece of it. The facets may have been joined within `tolerance_mm`, as by simplify(). Without
-/// shading if the part was not cut exactly, or if the simulation did not keep its cuts. Cost: one
-/// pass over the motions of the program.
+/// a piece of the surface. The facets may have been joined within `tolerance_mm`, as by simplify().
+/// Empty if the part was not cut exactly, or if the simulation did not keep the cuts.
+/// Cost: a pass over the motions of the program.
 brep::Shading shading_of(const Plan& plan, const Survey& survey, const Simulation& simulation,
                          const cda::Boundary& boundary, double tolerance_mm = 0.0);
 
