@@ -42,7 +42,7 @@ struct Plain {
     std::size_t end = 0;
 };
 
-// Reads digits with at most one point and at least one digit.
+// Reads at least one digit, with at most one point.
 std::optional<Plain> plain_at(std::string_view s, std::size_t at) {
     std::size_t end = at;
     bool point = false;

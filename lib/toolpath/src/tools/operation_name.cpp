@@ -17,12 +17,13 @@ constexpr std::size_t kMostBytes = 60, kMostWords = 6;
 // Text in front of the name.
 constexpr std::array<std::string_view, 6> kIntroductions{
     "BEGIN OPERATION:", "START OPERATION:", "OPERATION NAME:", "OPERATION:", "OP:", "TOOLPATH:"};
-// Comments that begin so name no operation: ends of operations, and what controls act on.
+// Beginnings of comments without the name of an operation: ends of operations, and comments that
+// controls execute.
 constexpr std::array<std::string_view, 12> kOthers{
     "FINISH OPERATION", "END OPERATION", "END ",      "PATH:",      "MSG,",  "DEBUG,",
     "PRINT,",           "LOG",           "PROBEOPEN", "PROBECLOSE", "AXIS,", "HTTP"};
 
-// Returns `text` without blanks, dashes, stars and the like around it.
+// Returns `text` without blanks, dashes, stars and similar characters at both ends.
 std::string_view without_frame(std::string_view text) {
     constexpr std::string_view kFrame = " \t-*=#_~:";
     return trimmed(text, kFrame);

@@ -107,8 +107,9 @@ Tool tapered_end_mill(double tip_diameter, double corner_radius, double taper, d
     const double angle = std::clamp(taper, 0.0, 89.0);
     const SinCos a = sin_cos(angle);
     const double fillet = std::min(corner_radius, tip_diameter / 2);
-    // Corner between cone and floor without rounding. The arc keeps its radius and its centre, (tip
-    // radius - fillet, fillet).
+    // Corner between cone and floor without rounding. The arc has the radius `fillet` and the
+    // centre
+    // (tip radius - fillet, fillet).
     const double corner = tip_diameter / 2 - fillet + fillet * (1 - a.sin) / a.cos;
     const double height = std::max(length, fillet);
     return make_one_piece_tool(ToolKind::TaperedEndMill,
@@ -140,7 +141,7 @@ Tool corner_rounding_mill(double diameter, double tip_diameter, double radius, d
     const double reach = std::min(radius, r - tip);
     const double end =
         reach < radius ? angle_of(radius - reach, std::sqrt(reach * (2 * radius - reach))) : 90.0;
-    // A chord over the angle 2x is rho (1 - cos x) off its arc, about rho x²/2.
+    // A chord over the angle 2x is rho (1 - cos x) off the arc, about rho x²/2.
     const double step = 2 * std::sqrt(2 * kConcaveChord / radius) * 57.29;  // degrees
     const int steps = std::clamp(static_cast<int>(std::ceil(end / step)), 1, 90);
     const auto point_at = [&](int k) -> ProfilePoint {
@@ -209,7 +210,7 @@ std::vector<Corner> polyline_of(const ToolPiece& piece) {
         const Corner start = at - (rho * sine / (1 + cosine)) * d1;
         const Corner out{d1.height, -d1.radius};  // from the centre to the start
         const Corner centre = start - rho * out;
-        // A chord over the angle 2x is rho (1 - cos x) away from its arc, about rho x²/2.
+        // A chord over the angle 2x is rho (1 - cos x) away from the arc, about rho x²/2.
         const double step = 2 * std::sqrt(2 * kChord / rho) * 57.29;  // degrees
         const int steps = std::clamp(static_cast<int>(std::ceil(turn / step)), 2, 1000);
         for (int k = 0; k <= steps; ++k) {

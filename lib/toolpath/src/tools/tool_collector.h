@@ -13,10 +13,10 @@
 
 namespace ncsim::toolpath {
 
-/// Collects the tools of a file, one per number.
+/// Collects the tools of a file, a single tool for each number.
 class Collector {
 public:
-    /// Requires: the arguments outlive the object. `file`: its name.
+    /// Requires: the arguments outlive the object. `file`: name of the file.
     Collector(std::vector<ToolEntry>& tools, gcode::Diagnostics& diagnostics,
               const std::string& file)
         : tools_(tools), diagnostics_(diagnostics), file_(file) {}
@@ -24,8 +24,8 @@ public:
     void add_remark(const gcode::MessageText& message, gcode::SourceSpan span,
                     std::initializer_list<std::string_view> arguments = {});
 
-    /// Adds a tool; with a warning instead if there is one of this number, or if `spec` is not
-    /// complete.
+    /// Adds a tool. Adds a warning instead if a tool has the same number, or if `spec` is
+    /// incomplete.
     void keep(ToolSpec spec, Vec3 offset, gcode::SourceSpan span, std::string text);
 
 private:
