@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Feed moves that remove nothing: one finding for the program, with the share of the feed path and
-// the lines.
+// Feed moves without removal of material: a single finding for the program, with the share of the
+// feed path and the lines.
 #pragma once
 
 #include "finding_log.h"

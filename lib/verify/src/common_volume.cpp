@@ -2,13 +2,15 @@
 //
 // Volume of an intersection in three steps:
 //
-//  1. For every pair of triangles, one of each surface, find the points where edges of one triangle
-//     cross the other triangle. There are two or none; between two points lies a segment of both
-//     faces.
-//  2. Decide for each corner whether it is inside the opposite body: by a query for one corner of
-//     each connected surface, then by counting crossings along the edges.
-//  3. Compute the area of every face within the opposite body from its outline, and the volume
-//     under the face.
+//  1. For every pair of triangles from different surfaces, find the points where edges of either
+//     triangle cross the opposite triangle. There are two points or none; between two points lies a
+//     segment of both faces.
+//  2. Decide for each corner whether the corner is inside the opposite body: by a query for a
+// corner
+//     of each connected surface, then by counting crossings along the edges.
+//  3. Compute the area of every face within the opposite body from the outline of this area, and
+// the
+//     volume under the area.
 #include "common_volume.h"
 
 #include "ncsim/base/triangle_tree.h"
@@ -36,7 +38,7 @@ int side(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
 }
 
 // Returns +1 if the segment from `p` to `q` leaves through the front of the triangle (along the
-// normal), -1 if it enters there, 0 if it does not cross.
+// normal), -1 if the segment enters there, 0 without a crossing.
 int passes(Vec3 p, Vec3 q, const TriangleCorners& t) {
     const int before = side(t[0], t[1], t[2], p);
     if (before == side(t[0], t[1], t[2], q)) return 0;
@@ -55,7 +57,7 @@ bool is_flat(const TriangleCorners& t) {
     return CGAL::collinear(point(t[0]), point(t[1]), point(t[2]));
 }
 
-// Surface with its crossings with the opposite surface.
+// Surface with the crossings with the opposite surface.
 class Surface {
 public:
     Surface(const TriangleMesh& mesh, Vec3 shift) : mesh_(mesh) {
@@ -153,13 +155,13 @@ public:
 
 private:
     struct Edge {
-        // sum of leaving minus entering positions on the edge, as fractions of its length
+        // sum of leaving minus entering positions on the edge, as fractions of the length
         double inside = 0.0;
         bool odd = false;  // number of crossings is odd
     };
     struct Face {
         std::array<Edge, 3> edges;
-        Vec3 outline;  // Σ p × q of its segments
+        Vec3 outline;  // Σ p × q over all segments
         bool flat = false;
     };
 
@@ -192,7 +194,7 @@ private:
     std::vector<bool> inside_;
 };
 
-// Step 1 for one pair.
+// Executes step 1 for a pair of triangles.
 void find_contact(Surface& a, std::uint32_t t, Surface& b, std::uint32_t s,
                   std::vector<Vec3>& ends) {
     const TriangleCorners in_a = a.corners(t), in_b = b.corners(s);

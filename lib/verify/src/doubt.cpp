@@ -82,7 +82,7 @@ std::span<const ReasonInfo> reasons() {
 }
 
 const ReasonInfo* find_reason(std::string_view id) {
-    if (id == "told-not-used") id = kSettingNotUsed;  // its name before 1.0
+    if (id == "told-not-used") id = kSettingNotUsed;  // name before 1.0
     const auto* found = std::ranges::find(kReasons, id, &ReasonInfo::id);
     return found == kReasons.end() ? nullptr : found;
 }

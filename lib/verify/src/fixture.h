@@ -23,13 +23,13 @@ public:
     explicit FixtureScene(const Setup& setup);
 
     bool is_empty() const { return fixtures_.empty(); }
-    /// Adds contacts of the tool in this step to `contacts`, at most one for each fixture and
-    /// piece.
+    /// Adds contacts of the tool in this step to `contacts`, at most a single contact for each
+    /// fixture and piece.
     void find_contact(int tool, const toolpath::Step& step, std::vector<FixtureContact>& contacts);
 
 private:
     bool touches(std::size_t fixture, const cda::Cell& cell) const;
-    /// Returns the contact; without a box if the bodies are not near each other.
+    /// Returns the contact; without a box if the bodies are far apart.
     FixtureContact contact_of(Body& body, std::size_t fixture, const toolpath::Step& step) const;
     Body& finer_body(int tool, std::size_t piece, double factor);
 
@@ -37,7 +37,7 @@ private:
     cda::Lattice lattice_;
     std::vector<Fixture> fixtures_;
     std::vector<cda::TreeCda> boxes_;
-    std::map<int, std::vector<Body>> tools_;  // one body for each piece
+    std::map<int, std::vector<Body>> tools_;  // a body for each piece
     std::map<std::tuple<int, std::size_t, double>, Body> fine_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Course of a tool along its axis in one hole: depth, and the way out of the cut.
+// Course of a tool along the axis in a hole: depth, and the way out of the cut.
 #pragma once
 
 #include "ncsim/gcode/motion.h"
@@ -20,7 +20,7 @@ public:
 private:
     int tool_ = 0;
     bool has_threaded_ = false;  // a helix in material, with this tool
-    bool has_cut_ = false;       // at feed, along its axis, here
+    bool has_cut_ = false;       // at feed, along the axis, at (x_, y_)
     double x_ = 0.0, y_ = 0.0;
     std::optional<double> top_;  // Z of the first contact; empty: not in a hole
     // spindle state if the last motion cut straight down

@@ -17,8 +17,8 @@ void absorb(Region& into, Region& from) {
     into.lines.insert(into.lines.end(), from.lines.begin(), from.lines.end());
 }
 
-// Adds `row` and merges it with all regions that it touches. A merged box is compared with all
-// regions again, because a larger box may reach further regions.
+// Adds `row`, merged with all touching regions. A merged box is compared with all regions again,
+// because a larger box may reach further regions.
 void add_row(std::vector<Region>& regions, Region row) {
     for (std::size_t i = 0; i < regions.size();) {
         if (!regions[i].box.overlaps(row.box)) {

@@ -27,7 +27,7 @@ Occurrence material_occurrence(const Setup& setup, const Move& move, std::string
     return s;
 }
 
-// Tighter of two limits, with its owner.
+// Tighter of two limits, with the owner of the limit.
 struct Limit {
     double value = 0.0;
     const char* limit_source = "machine";

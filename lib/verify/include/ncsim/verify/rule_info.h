@@ -14,9 +14,9 @@ struct RuleInfo {
     std::string_view id;
     Category category;
     Severity severity;      ///< Default; the user or a finding may change the severity.
-    std::string_view what;  ///< What the rule finds, a noun phrase with a full stop.
-    std::string_view why;   ///< Effect of such a fault, one sentence.
-    std::string_view fix;   ///< Remedy, one imperative sentence.
+    std::string_view what;  ///< Fault that the rule finds: a noun phrase with a full stop.
+    std::string_view why;   ///< Effect of the fault: a sentence.
+    std::string_view fix;   ///< Remedy: an imperative sentence.
 };
 
 }  // namespace ncsim::verify
