@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `ncsim check --tile`: observations of one tile of a part, and its file.
+// `ncsim check --tile`: observations of a tile of a part, and the file of the tile.
 #pragma once
 
 #include "options/check_options.h"

@@ -37,13 +37,13 @@ using DiffArgs = DiffOptions;
 
 using Side = simulation::SurveyedPlan;
 
-// A program to compare, in its set-up.
+// Program to compare, with the set-up.
 struct Input {
     DiffOptions options;
     std::string label;  ///< "set-up 2, back"; empty outside a job.
 };
 
-// Reads the program of `input`, which is cut from `stock` if there is one.
+// Reads the program of `input`. If `stock` has a value, the program cuts this stock.
 Side read_side(const Input& input, const std::optional<toolpath::Stock>& stock,
                setup::InputSet& inputs) {
     DiffOptions options = input.options;
@@ -76,7 +76,7 @@ std::vector<Input> inputs_to_compare(const DiffOptions& options, setup::InputSet
     return programs;
 }
 
-// Returns the options of the new side. A new program is in the set-up of the old one.
+// Returns the options of the new side. A new program is in the set-up of the old program.
 DiffOptions options_of_new(const DiffOptions& old) {
     if (!setup::is_job_file(old.new_program)) {
         DiffOptions options = old;
@@ -95,8 +95,8 @@ DiffOptions options_of_new(const DiffOptions& old) {
     return old.of_new_job ? *old.of_new_job : old;
 }
 
-// Compares the parts of two programs, which are cut from the stock of the old one. Without --html,
-// the review has the difference only. Empty if a program cannot be cut.
+// Compares the parts of two programs, which both cut the stock of the old program. Without --html,
+// the review has the difference only. No value if a program cannot be cut.
 std::optional<simulation::Review> review_of(const Input& a_input, const Input& b_input,
                                             setup::InputSet& inputs) {
     const Side a = read_side(a_input, {}, inputs);
@@ -113,7 +113,7 @@ std::optional<simulation::Review> review_of(const Input& a_input, const Input& b
         review = simulation::review_of(a, b, simulation::compare_with_parts(a, b));
     }
     report::Difference& d = review.difference;
-    // An assumed stock follows from the motions and has no information of its own.
+    // An assumed stock follows from the motions and has no further information.
     const auto& other = b_alone.survey.stock;
     const bool both_specified = other && other->specified_by != toolpath::ValueSource::Assumption &&
                                 a.survey.stock->specified_by != toolpath::ValueSource::Assumption;

@@ -32,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Adds the tools of a further program. Returns the numbers of tools that it describes differently.
+// Adds the tools of a further program. Returns the numbers of tools that both describe differently.
 std::vector<int> merge_tools(DescribedJob& all, DescribedJob more) {
     std::vector<int> different;
     for (std::size_t i = 0; i < more.file.tools.size(); ++i) {

@@ -72,7 +72,7 @@ std::string sheet_of_pose(const setup::MachineFile& file, const std::string& pos
         pose, tip.x + 0.0, tip.y + 0.0, tip.z + 0.0, axis.x + 0.0, axis.y + 0.0, axis.z + 0.0);
 }
 
-// The machine of a job, and its set-ups in words.
+// Machine of a job, and a description of the set-ups.
 struct MachineOfJob {
     std::string path;
     std::string set_ups;
@@ -90,7 +90,7 @@ std::string text_of(const std::map<int, Vec3>& offsets,
     return text;
 }
 
-// Returns the machine that `path` names if it is a job; otherwise `path`.
+// Returns the machine of the job `path`; `path` if the file is not a job.
 MachineOfJob machine_of(const std::string& path, setup::InputSet& inputs) {
     const bool may_be_job = setup::is_job_file(path);
     if (!may_be_job || !setup::is_job_text({path, inputs.read(path, setup::kMostSetUpBytes)}))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Commands and their options, as far as the program needs them. The names are those of CLI11. Only
-// cli.cpp includes CLI11, whose headers took nearly half of the time of a first build.
+// Commands and options, as far as the program needs both. Names are taken from CLI11. Only cli.cpp
+// includes CLI11, because the headers take nearly half of the time of a first build.
 #pragma once
 
 #include <cstdint>
@@ -38,12 +38,12 @@ inline constexpr Counts kOfPart{.merge = true};                 ///< File that i
 /// Restrictions of an option.
 struct Limits {
     double least = 0.0, most = 0.0;  ///< Permitted numbers; no limits if both are equal.
-    const char* needs = "";          ///< Name of an option without which this one is refused.
-    const char* excludes = "";       ///< Name of an option with which this one is refused.
+    const char* needs = "";          ///< Name of an option that this option requires.
+    const char* excludes = "";       ///< Name of an option that must not occur with this option.
     bool is_required = false;
 };
 inline constexpr Limits kRequired{.is_required = true};
-/// Permits numbers from `least` to `most`, with another option if `needs` is its name.
+/// Permits numbers from `least` to `most`; requires the option `needs` unless empty.
 constexpr Limits within(double least, double most, const char* needs = "") {
     return {.least = least, .most = most, .needs = needs};
 }
@@ -63,7 +63,7 @@ public:
     /// Sets the properties of a row of a table of options. `type`: kind of value in help; `group`:
     /// heading in help, unless the option is positional.
     void describe(const char* type, const char* group, Counts counts, const Limits& limits);
-    /// Accepts one value for each name; the name may be repeated.
+    /// Accepts a value for each name; the name may be repeated.
     Option* accept_one_value();
     /// Accepts values separated by commas, too.
     Option* accept_list();
@@ -79,7 +79,7 @@ public:
     bool is_positional() const;
     /// True if the option takes no value.
     bool is_flag() const;
-    /// False if the last value of the option switches it off.
+    /// False if the last value switches the option off.
     bool is_on() const;
     /// Returns the number of occurrences on the command line.
     std::size_t count() const;
@@ -99,7 +99,7 @@ public:
     App& operator=(const App&) = delete;
 
     App* add_subcommand(const std::string& name, const std::string& description);
-    /// Requires at least one command on the command line.
+    /// Requires a command on the command line.
     void require_subcommand();
     void set_version_flag(const std::string& flag, const std::string& text);
     /// Sets the text at the end of help.
@@ -123,13 +123,13 @@ public:
 
     std::string name() const;
     std::string help() const;
-    /// Returns the options in the order in which they were added; help is first.
+    /// Returns the options in the order of addition; help is first.
     std::vector<const Option*> options() const;
-    /// Returns the commands in the order in which they were added.
+    /// Returns the commands in the order of addition.
     std::vector<const App*> subcommands() const;
     /// Returns the command on the command line; this command if there is none.
     App* chosen();
-    /// True if `name`, with its dashes, is a switch of this command or of a subcommand.
+    /// True if `name`, with dashes, is a switch of this command or of a subcommand.
     bool is_switch(const std::string& name) const;
 
     enum class Outcome : std::uint8_t { Parsed, Help, Version };

@@ -41,7 +41,8 @@ void read_sections(const char* option, const std::vector<std::string>& planes, O
         o.sections.push_back(read_plane(option, plane));
 }
 
-// Chooses the model: the thesis' model for its own views, otherwise the model that scales.
+// Chooses the model: the thesis' model for views that only this model has, otherwise the model that
+// scales.
 void choose_model(Options& o) {
     o.model_specified = !o.model.empty();
     const bool needs_cells = !o.stats.empty() || !o.xml.empty();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cuts one tile.
+// Cuts a tile.
 #include "run/tile.h"
 
 #include "ncsim/base/plain_text.h"
@@ -36,8 +36,8 @@ namespace ncsim::app {
 namespace fs = std::filesystem;
 
 report::TileFile read_tile(const std::string& path) {
-    // Larger than the limit of other inputs. A separate InputSet, because no output may conflict
-    // with a tile file.
+    // The limit is larger than for further inputs. The InputSet is separate, because no output may
+    // conflict with a tile file.
     constexpr std::uintmax_t kMost = 1'000'000'000'000;
     setup::InputSet inputs;
     return report::tile_file_from(inputs.read(path, kMost), path, setup::digest_of);
