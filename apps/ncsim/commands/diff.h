@@ -14,7 +14,7 @@ namespace ncsim::app {
 
 /// Options of `ncsim diff`; `program` is the old program, or `job` the old job.
 struct DiffOptions : ProgramOptions, SimulationOptions {
-    std::string new_program;     ///< Or a job file.
+    std::string new_program;     ///< New program or job file.
     double tolerance_mm3 = 0.0;  ///< Differences up to this volume do not count.
     bool process = false;        ///< Exit code 1 also for different feeds and speeds.
     std::string json;            ///< Output file; empty: none.

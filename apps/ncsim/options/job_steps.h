@@ -15,7 +15,7 @@ namespace ncsim::app {
 
 /// A program of a job, with the number of its step.
 struct ChosenStep : setup::JobStep {
-    std::size_t number = 0;  ///< From 0, as JobOptions::job_step.
+    std::size_t number = 0;  ///< Number from 0, like JobOptions::job_step.
 };
 
 /// Returns the steps of options.job that options.set_up selects; all steps without a selection.

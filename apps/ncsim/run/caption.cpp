@@ -141,8 +141,8 @@ private:
     std::vector<std::string> rows_;
 };
 
-// Adds the facts and the line. Frames of a film have one size, so in films the facts have the rows
-// that they need after the whole program, and the line has one row.
+// Adds the facts and the line. All frames of a film have the same size, so in films the facts have
+// the rows that are necessary after the whole program, and the line has a single row.
 void add_facts(const Outcome& outcome, Rows& rows) {
     const simulation::Simulation& s = *outcome.simulation;
     const std::vector<std::string> facts =

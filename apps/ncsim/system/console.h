@@ -12,15 +12,15 @@
 
 namespace ncsim::app {
 
-/// Sets when texts for people have colours; Auto before the first call.
+/// Sets when texts for the user have colours; Auto before the first call.
 void set_colour_mode(ColourMode mode);
 
-/// Writes text for people to stderr, with unprintable characters replaced.
+/// Writes text for the user to stderr, with unprintable characters replaced.
 void print_error(std::string_view text);
 /// Writes results unchanged to stdout: JSON, commands for a CI service.
 /// Throws: std::runtime_error if stdout cannot be written.
 void write_stdout(std::string_view text);
-/// Writes results for people, with unprintable characters replaced: to stdout, or to stderr if
+/// Writes results for the user, with unprintable characters replaced: to stdout, or to stderr if
 /// `aside`, because a file uses stdout.
 void put_text(std::string_view text, bool aside = false);
 

@@ -36,12 +36,12 @@ public:
     /// Opens the temporary file for `path`, so an unwritable path is detected before the work
     /// begins. Does nothing if `path` is empty.
     void reserve(const std::string& path);
-    /// As reserve(), but refuses an existing file or link; commit() does not replace a file that
-    /// appears in the meantime.
+    /// Reserves `path` like reserve(), but refuses an existing file or link. commit() does not
+    /// replace a file that appears in the meantime.
     void reserve_new(const std::string& path);
     /// Reserves the standard output for `what`; files may no longer use it.
     void claim_standard_output(const std::string& what);
-    /// True if a file is written to the standard output; text for people then goes to stderr.
+    /// True if a file is written to the standard output; text for the user then goes to stderr.
     bool takes_standard_output() const { return takes_standard_output_; }
 
     /// Fills a reserved file and flushes the contents to the disk. Does nothing if `path` is empty.

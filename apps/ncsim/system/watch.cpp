@@ -47,7 +47,8 @@ using Paths = std::set<std::string>;
 
 /// State of a file or a folder; equal states mean that no run is necessary.
 struct Stamp {
-    std::int64_t seconds = 0, nanoseconds = 0, size = -1;  ///< Of a file; size -1: no file.
+    std::int64_t seconds = 0, nanoseconds = 0,
+                 size = -1;  ///< Time and size of a file; -1: no file.
     std::uint64_t inode = 0;
     std::vector<std::string> programs;  ///< Of a folder.
 

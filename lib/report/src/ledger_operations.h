@@ -10,12 +10,12 @@
 
 namespace ncsim::report {
 
-/// Rows of the ledger that one tool did under one name.
+/// Sums over the rows of the ledger with the same tool and the same name of operation.
 struct LedgerOperation {
     simulation::CheckedOperation operation;
     double feed_mm = 0.0;  ///< Path of blocks with feed moves.
     double removed_mm3 = 0.0;
-    std::optional<double> seconds = 0.0;  ///< Of these blocks; empty if a time is unknown.
+    std::optional<double> seconds = 0.0;  ///< Time of these blocks; empty if a time is unknown.
 };
 
 /// Returns the operation of a motion, or null. Cost: O(log operations).

@@ -53,10 +53,10 @@ std::optional<Number> number_at(std::string_view text, std::size_t at) {
     return number;
 }
 
-// A unit of a text, and the unit that replaces it.
+// Unit of a text, and the replacement in inches.
 struct Unit {
     std::string_view text;
-    double factor;  ///< From a value of `text` to a value of `inches`.
+    double factor;  ///< Factor from a value in `text` to a value in `inches`.
     std::string_view inches;
 };
 

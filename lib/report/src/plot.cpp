@@ -17,7 +17,7 @@ namespace {
 constexpr double kWidth = 560, kHeight = 184, kLeft = 62, kBottom = 30, kTop = 24, kRight = 12;
 constexpr std::size_t kBins = 400;  // bins of about one pixel
 
-// A row of the ledger: its interval on the x axis and the removed volume.
+// Row of the ledger: interval on the x axis, and removed volume.
 struct Span {
     double from = 0.0, to = 0.0, removed = 0.0;
 };
@@ -31,7 +31,7 @@ struct Course {
 Course course_of(const verify::Ledger& ledger, LengthUnit unit) {
     const double length = in_unit(1.0, unit), volume = length * length * length;
     Course course;
-    // A first move from an unknown position has no length and no time, and it removes no material.
+    // A first move from an unknown position has no length and no time, and removes no material.
     course.is_time = std::ranges::all_of(ledger.rows, [](const verify::LedgerRow& row) {
         return row.seconds.has_value() || row.length_mm <= 0.0;
     });

@@ -16,7 +16,7 @@ struct LineMark {
     std::size_t region = 0;             ///< From 1.
 };
 
-/// A program, its lines that are marked, and lines that must not be folded.
+/// Program, with marked lines, and lines that must not be folded.
 struct MarkedProgram {
     std::string source;
     std::vector<LineMark> marks;
@@ -30,8 +30,8 @@ struct ProgramDiff {
     std::vector<bool> shown_old, shown_new;  ///< By line, from 1: the line is in `html`.
 };
 
-/// Compares two programs. Equal stretches are folded; long ones have no text, and very many lines
-/// that differ are cut off, both with a remark. Marks link to PREFIXr-REGION.
+/// Compares two programs. Equal stretches are folded; long equal stretches have no text, and very
+/// many different lines are cut off, both with a remark. Marks link to PREFIXr-REGION.
 ProgramDiff program_diff(const MarkedProgram& old_program, const MarkedProgram& new_program,
                          const std::string& prefix);
 

@@ -145,8 +145,8 @@ std::optional<std::uint64_t> motions_on(const Plan& plan, gcode::Dialect control
     return hash.value();
 }
 
-// Adds the controls on which the program moves otherwise, if neither the user nor the program names
-// its control.
+// Adds the controls on which the program moves differently, if neither the user nor the program
+// names a control.
 void add_other_controls(const Plan& plan, const gcode::Interpretation& read,
                         std::vector<Alternative>& found) {
     const bool is_named = read.dialect.stated || !read.dialect.evidence.empty();
@@ -216,8 +216,9 @@ std::string with_slashes_of(const gcode::SourceFile& program, bool strict, Switc
     return text;
 }
 
-// Adds the readings with some switches of block delete on and others off, if the program uses
-// several: all of two or three switches, single ones of more.
+// Adds readings with a part of the switches of block delete on, if the program uses several
+// switches: all combinations of two or three switches; if there are more switches, each switch
+// alone.
 void add_single_switches(const Plan& plan, verify::Place place, std::vector<Alternative>& found) {
     constexpr int kMostCombined = 3;
     const bool strict = plan.job.interpreter.strict;

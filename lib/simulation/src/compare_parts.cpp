@@ -59,8 +59,8 @@ bool moves_alike(const SurveyedPlan& a, const SurveyedPlan& b) {
     return same && next == traces.size();
 }
 
-// Returns what the program of `side` still removes from the finished part of `other`. `rest`
-// becomes the material of both parts.
+// Returns the material that the program of `side` still removes from the finished part of `other`.
+// `rest` becomes the material of both parts.
 OneSidedMaterial remainder(const SurveyedPlan& side, const Simulation& other,
                            std::unique_ptr<cda::WorkpieceModel>& rest) {
     verify::Setup setup;

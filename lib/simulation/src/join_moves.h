@@ -44,7 +44,7 @@ private:
     double tolerance_mm_;
     Sink sink_;
     std::span<const toolpath::OperationName> names_;
-    std::uint32_t last_line_ = 0;  ///< Of the held move.
+    std::uint32_t last_line_ = 0;  ///< Last line of the held move.
     /// Joined move from the start of the row to its current end.
     std::optional<gcode::Motion> held_;
     std::vector<Vec3> intermediate_ends_;  ///< Intermediate ends, mm.

@@ -46,8 +46,8 @@ cda::Shape take_left_shape(const Plan& plan, const Survey& survey, Simulation& s
     shape.sources.clear();
     for (const mesh::Provenance::Entry& entry : provenance.entries)
         shape.sources.push_back(record_of(provenance, entry, {}));
-    // The boundary of the cells as they will be read: ranks of cells are not written, and decide
-    // which of several origins a common plane has.
+    // Boundary of the cells as read from the file: ranks of cells are not written, and decide which
+    // of several origins a common plane has.
     for (cda::Cell& cell : shape.carved)
         cell.rank = cda::Cell::kFirstRank;
     const cda::Boundary boundary =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Facet normals that bodies share: tools of one shape, and a tool that returns to an orientation.
+// Facet normals that bodies share: tools of the same shape, and a tool that returns to an
+// orientation.
 #pragma once
 
 #include "ncsim/cda/cell.h"
@@ -12,8 +13,8 @@
 
 namespace ncsim::cda {
 
-/// Keeps one FacetNormals object for all cells with the same normals in the same order, so that
-/// cells of different bodies are compared like cells of one body.
+/// Keeps a single FacetNormals object for all cells with the same normals in the same order.
+/// Therefore cells of different bodies are compared like cells of the same body.
 class NormalsPool {
 public:
     /// Returns the first object with equal content; null for null.

@@ -39,7 +39,7 @@ struct ProgramEvidence {
     bool requested_tip_positions = false;
     bool distance_is_stated = false;  ///< G90 or G91 was executed.
     DistanceEvidence distance;
-    std::set<int> unread_registers;  ///< Of the specified ones.
+    std::set<int> unread_registers;  ///< Specified registers that no G41 and no G42 has read.
     double setting_askew = 0.0;
 };
 

@@ -20,7 +20,7 @@ constexpr double kRounding = 1e-9;  // Relative to the radius of the tool.
 constexpr double kWidestStep = 1.4;
 /// Slope of ramps and helices without a specified pitch.
 constexpr double kSlope = 1.0 / 20.0;
-constexpr double kLeastDrop = 1.0 / 50.0;  // Of a turn or a ramp, in radii of the tool.
+constexpr double kLeastDrop = 1.0 / 50.0;  // Drop of a turn or a ramp, in radii of the tool.
 constexpr double kStudMargin = 2.0;        // Distance from a blank at which the tool goes down, mm.
 
 double step_of(const Milling& m) {

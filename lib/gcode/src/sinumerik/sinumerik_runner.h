@@ -84,7 +84,7 @@ private:
         CycleCall cycle;
         std::string program;
         std::vector<Argument> arguments;
-        SourceSpan span;  // Of the block with MCALL.
+        SourceSpan span;  // Place of the block with MCALL.
     };
     /// A program that runs.
     struct Frame {
@@ -94,11 +94,11 @@ private:
         std::vector<Loop> loops;
         std::vector<Passage> repeats;
         std::vector<Argument> arguments;
-        std::vector<std::pair<std::string, Target>> copies;  // Of parameters with VAR.
-        std::uint64_t runs_left = 0;                         // Of "L100 P3".
+        std::vector<std::pair<std::string, Target>> copies;  // Copies of parameters with VAR.
+        std::uint64_t runs_left = 0;                         // Remaining executions of "L100 P3".
         std::optional<SavedModes> saved;
         Modal modal;
-        std::deque<HolePlace> places;  // Of a pattern, for a modal subprogram.
+        std::deque<HolePlace> places;  // Places of a pattern, for a modal subprogram.
         SourceSpan places_span;
     };
 

@@ -29,7 +29,7 @@ constexpr auto kWithoutPath = std::to_array<std::string_view>({
     "FENDNORM",  "ORISON",   "ORISOF",    "DYNPREC",
 });
 
-/// Keywords of the language that are not read. Other names are calls of subprograms.
+/// Keywords of the language that ncsim refuses. Unknown names are calls of subprograms.
 constexpr auto kRefused = std::to_array<std::string_view>({
     "ASPLINE",  "BSPLINE", "CSPLINE",  "POLY",     "POLYPATH",  "INVCW",    "INVCCW",   "TRANSMIT",
     "TRACYL",   "TRAANG",  "TRACON",   "TCARR",    "TCOFR",     "TOROT",    "TOROTX",   "TOROTY",
@@ -344,7 +344,7 @@ WordReader::Found WordReader::take(std::string_view name, double value,
             return put(words.direction[i], value);
     }
     if (has_name(kLongWithoutPath, name)) return Found::Yes;
-    // "OFFN=0", "TCARR=0" switch off what is not read.
+    // "OFFN=0" and "TCARR=0" switch off functions that ncsim does not read.
     const bool ends =
         value == 0.0 && (name == "OFFN" || name == "TCARR" || name == "TOFFL" || name == "TOFFR");
     if (ends) return Found::Yes;

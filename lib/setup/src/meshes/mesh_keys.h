@@ -21,9 +21,9 @@ struct NamedMesh {
 };
 
 /// Reads the keys `mesh`, or `stl`, `scale` and `hull` of a table; empty if no mesh is specified.
-/// Files are relative to `folder`. A file without unit and without scale is in mm. If it would then
-/// be shorter than 5 mm, it is refused, because it is probably in metres, and such a small body
-/// would never collide.
+/// Files are relative to `folder`. A file without unit and without scale is in mm. A file whose
+/// body would then be shorter than 5 mm is refused, because the unit is probably metres, and a body
+/// of this size would never collide.
 /// Throws: std::runtime_error with file, line and column.
 std::optional<NamedMesh> read_mesh(const TomlReader& reader, const std::string& folder,
                                    InputSet& inputs, const TomlTable& table);

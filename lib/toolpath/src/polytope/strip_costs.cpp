@@ -9,8 +9,8 @@
 
 namespace ncsim::toolpath {
 
-// Fair tools cut parts that are written. Circumscribed tools mostly decide contacts; for these, the
-// number of facets counts, and edges decide between equal numbers.
+// Fair tools cut parts that are written. Circumscribed tools mostly decide contacts; for
+// circumscribed tools, the number of facets counts, and edges decide between equal numbers.
 StripCosts::StripCosts(const std::vector<RingPolygon>& family, Side side,
                        bool seeks_short_directions)
     : family_(family), seeks_short_directions_(seeks_short_directions) {
@@ -26,7 +26,7 @@ int StripCosts::facets(const Ring& below, const Ring& above) const {
 }
 
 double StripCosts::strip(const Ring& below, const Ring& above) const {
-    const int edges = facets(below, above);  // As many edges as facets.
+    const int edges = facets(below, above);  // The numbers of edges and of facets are equal.
     if (!seeks_short_directions_) return edges;
     const double long_edges = has_short_directions(below, above) ? 0.0 : edges;
     const Vec2 along =

@@ -57,7 +57,7 @@ struct Countersink {
     Vec3 mouth;                  ///< Centre of the wide end.
     Vec3 axis;                   ///< Unit, out of the mouth.
     double diameter = 0.0;       ///< At the mouth.
-    double depth = 0.0;          ///< From the mouth to the end of the cone.
+    double depth = 0.0;          ///< Distance from the mouth to the end of the cone.
     double angle_degrees = 0.0;  ///< Included angle.
     double covers_degrees = 360.0;
     bool has_tip = false;  ///< True if the cone ends in its tip.

@@ -71,7 +71,7 @@ struct Control {
     /// Condition, or arguments of a call, as in "[1][2]"; empty if absent.
     std::string_view expression;
     SourceSpan span;
-    SourceSpan rest;  ///< What is behind it, where the language does not read it; length 0: none.
+    SourceSpan rest;  ///< Text after the control word that the language ignores; length 0: none.
 };
 
 /// Kind of a line.

@@ -21,10 +21,10 @@ struct JoinedFaces {
     std::vector<std::vector<cda::Origin>> origins;
 };
 
-/// A boundary with fewer faces, with its triangles and its deviation.
+/// Boundary with fewer faces, with triangles and deviation.
 struct Simplified : JoinedFaces {
     /// Measured deviation in mm, at most the tolerance: the largest distance from a corner or the
-    /// middle of a triangle of either surface to the other surface. Shells that vanished are not
+    /// middle of a triangle of either surface to the opposite surface. Shells that vanished are not
     /// measured.
     double deviation_mm = 0.0;
     /// The triangles of cda::triangulate(boundary).

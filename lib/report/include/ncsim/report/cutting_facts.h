@@ -24,7 +24,7 @@ struct CuttingFacts {
     double join_tolerance = 0.0;
     bool is_draft_exact = false;  ///< True for a draft of a short program, which is cut exactly.
     std::optional<std::uint32_t> at_line;      ///< Line after which the simulation was stopped.
-    LengthUnit unit = LengthUnit::Millimetre;  ///< Of texts; all values here are in mm.
+    LengthUnit unit = LengthUnit::Millimetre;  ///< Unit of texts; all values here are in mm.
 };
 
 /// Returns the facts of a cut by `plan`, for texts in mm.

@@ -36,10 +36,10 @@ struct Explanation {
     std::array<bool, kModeGroups> is_changed{};  ///< The block changed the mode.
     bool has_codes = true;                       ///< A program in G-code.
     static constexpr std::size_t kMostMotions = 20;
-    std::vector<gcode::Motion> motions;  ///< Of all executions, at most kMostMotions.
-    std::uint64_t motion_count = 0;      ///< Of all executions.
-    verify::Distances distances;         ///< Of all executions.
-    std::optional<double> removed_mm3;   ///< By all executions; empty: not known.
+    std::vector<gcode::Motion> motions;  ///< Motions of all executions, at most kMostMotions.
+    std::uint64_t motion_count = 0;      ///< Number of motions of all executions.
+    verify::Distances distances;         ///< Distances of all executions.
+    std::optional<double> removed_mm3;   ///< Removed by all executions; empty if unknown.
     std::string not_simulated;           ///< Why not; empty: known.
     std::string tool;  ///< Tool in the spindle after the block; empty: none, or not described.
     std::string tool_source;               ///< Source of its description.

@@ -17,8 +17,8 @@ struct EntryOptions {
     bool warnings_as_errors = false;
     bool json = true, sarif = true, junit = true, github = true, csv = false;
     bool known = false;                            ///< Adds findings for a baseline.
-    LengthUnit unit = LengthUnit::Millimetre;      ///< Of text and annotations.
-    LengthUnit csv_unit = LengthUnit::Millimetre;  ///< The same for all programs.
+    LengthUnit unit = LengthUnit::Millimetre;      ///< Unit of text and annotations.
+    LengthUnit csv_unit = LengthUnit::Millimetre;  ///< Unit of CSV, the same for all programs.
 };
 
 /// Returns the shares of `checked`. `code` is the exit status.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The modes of a control between two blocks, as rows for people, and the blocks that set them.
+// Modes of a control between two blocks, as rows of a table, with the blocks that set the modes.
 #pragma once
 
 #include "ncsim/gcode/state.h"

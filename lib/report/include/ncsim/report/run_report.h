@@ -36,7 +36,7 @@ struct SolidFacts {
     /// Facets of round tools that were not recognised, and of the mesh of the stock; included in
     /// the planes.
     std::size_t facets_kept = 0;
-    std::size_t stock_facets = 0;  ///< Those of the mesh of the stock.
+    std::size_t stock_facets = 0;  ///< Facets of the mesh of the stock among `facets_kept`.
     /// Largest distance of an edge of these facets from the adjacent faces.
     double facet_miss_mm = 0.0;
     std::vector<std::uint32_t> facet_lines{};  ///< Lines that cut these facets, ascending.

@@ -24,7 +24,7 @@ namespace ncsim::setup {
 
 /// Value of a job file that is marked as assumed.
 struct AssumedValue {
-    std::string name;   ///< As in the list `assumed`: "start".
+    std::string name;   ///< Name in the list `assumed`, such as "start".
     std::string where;  ///< Place in the file: "job.toml:5:12".
 };
 

@@ -25,12 +25,13 @@ struct ProgramFolder {
 /// Lists the files in `folder` and below. A regular file is a program if its name or its text
 /// indicates a program (gcode::names_program, gcode::kind_of_text). A file that cannot be opened
 /// counts as a program, which then cannot be read. Folders of version control are left out
-/// completely. Guarantees: opens regular files only, and follows no link out of the folder. Throws:
-/// std::runtime_error if a folder cannot be read.
+/// completely.
+/// Guarantees: opens regular files only, and follows no link out of the folder.
+/// Throws: std::runtime_error if a folder cannot be read.
 ProgramFolder programs_in_folder(const std::string& folder);
 
-/// Returns why the file at `path` is not a program; empty if it is a program, is missing, or cannot
-/// be opened.
+/// Returns why the file at `path` is not a program; empty if the file is a program, is missing, or
+/// cannot be opened.
 std::optional<std::string> why_no_program(const std::string& path);
 
 /// True if the program at `path` only acts when a second program calls it

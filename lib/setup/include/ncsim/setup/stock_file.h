@@ -27,7 +27,7 @@ std::optional<toolpath::Stock> specified_stock(const std::string& text, std::str
 struct Turn {
     /// Rows of the rotation matrix.
     std::array<std::array<double, 3>, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    /// The same rotation if it consists of right angles; then it is exact.
+    /// The same rotation, exact; empty unless the rotation consists of right angles.
     std::optional<cda::Placement> placement = cda::Placement{};
 };
 /// Reads rotations by any angles in degrees, in sequence: "X180", "X90,Z-37.5".

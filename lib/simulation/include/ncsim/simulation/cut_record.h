@@ -16,7 +16,7 @@ namespace ncsim::simulation {
 /// Straight path of a cut that differs from the path of its motion, or that belongs to a longer
 /// line. X, Y and Z of positions, mm.
 struct CutPath {
-    Vec3 from, to;          ///< Of all joined motions, with moved ends in a sloping run.
+    Vec3 from, to;          ///< Ends of all joined motions, displaced in a sloping run.
     double moved_mm = 0.0;  ///< Largest displacement of an end in the sloping run.
     /// Start of the tool (mm, W) on the line whose cells as a whole may have the cut's origin.
     std::optional<Vec3> line_start;

@@ -54,7 +54,7 @@ struct MeasuredThread {
     Vec3 mouth;
     double diameter = 0.0;
     std::optional<double> pitch{};  ///< Unknown: a tap without a pitch.
-    double depth = 0.0;             ///< From the mouth to the lowest position of the tip.
+    double depth = 0.0;             ///< Distance from the mouth to the lowest position of the tip.
     bool is_inside = true;
     CutBy by{};
 };

@@ -16,7 +16,7 @@
 namespace ncsim::simulation {
 
 /// Returns part, source and fixtures; pictures for readers without JavaScript if `has_pictures`.
-/// Requires: `simulation` kept its cuts; `boundary` is its surface.
+/// Requires: `simulation` kept the cuts; `boundary` is the surface of the part.
 PageData page_data(const Plan& plan, const Survey& survey, const Simulation& simulation,
                    const cda::Boundary& boundary, std::span<const verify::Fixture> fixtures,
                    bool has_pictures);

@@ -18,7 +18,7 @@ namespace ncsim::simulation {
 struct ColouredMesh {
     TriangleMesh mesh;                     ///< mm
     std::array<std::uint8_t, 3> colour{};  ///< sRGB
-    std::string name{};                    ///< As findings name the body; empty: none.
+    std::string name{};                    ///< Name of the body in findings; empty: none.
 };
 
 /// A tool of a program.

@@ -16,8 +16,8 @@ namespace ncsim::verify {
 /// Texts about a reason. The texts are static; ids are stable and kebab-case.
 struct ReasonInfo {
     std::string_view id;
-    std::string_view why;  ///< One sentence.
-    std::string_view fix;  ///< What to specify or to change, as an imperative.
+    std::string_view why;  ///< Reason: a sentence.
+    std::string_view fix;  ///< Remedy: an imperative sentence.
 };
 
 /// Returns all reasons, always in the same order.
