@@ -41,7 +41,7 @@ public:
         return at + kTurnDegrees * std::round((nearby - at) / kTurnDegrees);
     }
 
-    // Returns the curve of a coil at `degrees` from `a` to `b`.
+    // Returns the arc of a coil's circle at the angle `degrees`, from `a` to `b`.
     Curve across(double degrees, Vec3 a, Vec3 b) const {
         const auto t = sin_cos(degrees);
         const Vec3 side = cross(coil_->axis, coil_->ahead);
@@ -143,7 +143,7 @@ bool divide(Part& part, std::uint32_t f, const Winding& winding, const Course& c
     return true;
 }
 
-// A vertex of a face at which its loop passes a meridian.
+// Vertex of a face at which a loop passes a meridian.
 struct Passage {
     std::uint32_t vertex = 0;
     double height = 0.0;
@@ -308,8 +308,8 @@ bool split_strip(Part& part, std::uint32_t face, const Winding& winding, double 
     return true;
 }
 
-// True if a loop of the face covers more than a turn and a degree. Loops without spline edges never
-// do.
+// True if a loop of the face covers more than 361 degrees, which is possible only with a spline
+// edge.
 bool is_long(const Part& part, const Face& face) {
     const Winding winding(face.surface.form);
     if (!winding.is_known() || face.is_facet) return false;

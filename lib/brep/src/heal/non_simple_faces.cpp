@@ -271,7 +271,7 @@ bool is_convex(const Part& part, const Face& face) {
         return part.vertices[begin_of(part, loop[i % loop.size()])];
     };
     const Vec3 first = point(1) - point(0);
-    int changes = 0;  // of the side on which edges are of the first one
+    int changes = 0;  // changes of the side of the first edge to which edges point
     double before = 0.0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const Vec3 in = point(i + 1) - point(i), out = point(i + 2) - point(i + 1);

@@ -16,8 +16,9 @@ namespace ncsim::brep {
 /// - Edges of spheres that pass near a pole and go more than a quarter of a turn around the pole.
 void split_wide_edges(Part& part);
 
-/// Divides both edges of faces with two edges that are at most 0.1 mm apart in the middle. CAD
-/// readers draw chords; if both edges become the same chord, CAD readers draw nothing of the face.
+/// Divides both edges of faces with two edges that are at most 0.1 mm apart in the middle; lines
+/// stay. CAD readers draw chords; if both edges become the same chord, CAD readers draw nothing of
+/// the face.
 void split_edges_of_lenses(Part& part);
 
 }  // namespace ncsim::brep

@@ -108,8 +108,8 @@ public:
         }
     }
 
-    // True if the straight line between two points lies inside the face, and no point of a loop is
-    // near the line except at its ends.
+    // True if the straight line between two points lies inside the face, and no loop has a point
+    // within 0.01 mm of the line, except at both ends.
     bool is_clear(Vec3 from, Vec3 to) const {
         const double near = 10.0 * kLeastSizeMm;
         const Vec2 a = project(from), b = project(to);

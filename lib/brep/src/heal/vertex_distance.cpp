@@ -357,9 +357,9 @@ std::optional<OppositeLoop> opposite_loop(const Part& part,
 }
 
 // Empties pairs of planar faces that enclose no volume: two faces with all edges in common, and a
-// face with a hole together with a face that fills the hole. The latter is done only if one of both
-// faces is in `crossed`: then the hole is not inside its face, or the face that fills the hole has
-// no width. True if the part changed.
+// face with a hole together with a face that fills the hole. Pairs of the second kind count only if
+// either face is in `crossed`: then the hole is not inside its face, or the face that fills the
+// hole has no width. True if the part changed.
 bool remove_flat_pockets(Part& part, const Numbers& crossed) {
     bool any = false;
     const auto sides = sides_of_edges(part);
