@@ -229,6 +229,22 @@ TEST(Recognise, KnowsHelicalLeadInsOfBalls) {
     }
 }
 
+// A ball goes down a line into a turn of a helix at the side of the stock. The envelope of the turn
+// meets the groove of the line far from the corner of the path as well.
+TEST(Recognise, KnowsHelicesOfBallsThatCrossTheWayThere) {
+    for (const double rise : {-0.5, -0.8}) {
+        SCOPED_TRACE(rise);
+        const Golden golden{"turn",
+                            fmt::format("T3 M6\nG0 X70 Y57 Z5\nG1 Z-1.3\nG1 X84 Z-7\n"
+                                        "G3 X84 Y57 Z{} I-1.4 J0\nG0 Z5\n",
+                                        -7.0 + rise),
+                            {},
+                            0.0};
+        for (const double tolerance : {0.05, 0.02})
+            EXPECT_EQ(make(golden, tolerance).solid.facets_kept, 0U) << tolerance;
+    }
+}
+
 // In drafts, arcs have few chords, and no facet shows a flat lune. Its depth is reported all the
 // same; a deep lune stays.
 TEST(Recognise, ReportsLunesWithoutFacets) {

@@ -78,7 +78,8 @@ void move_onto_path(const std::vector<const Form*>& forms, Vec3& p) {
 }
 
 // At a corner of the path of a ball, the surfaces before and after it meet in two curves at small
-// angles. Moves `p` near the curve of the corner.
+// angles. Moves `p` near the curve of the corner, unless another of the surfaces does not meet this
+// curve: where the ball crosses its path elsewhere, the other curve is the right one.
 void move_to_mitre(std::vector<const Form*> forms, std::size_t count, Vec3& p) {
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t j = i + 1; j < count; ++j) {
@@ -86,8 +87,12 @@ void move_to_mitre(std::vector<const Form*> forms, std::size_t count, Vec3& p) {
             if (!plane) continue;
             const Form mitre = *plane;
             forms.push_back(&mitre);
-            brep::solve(forms, p);
-            return;
+            Vec3 moved = p;
+            if (brep::solve(forms, moved) <= kTangencyGapMm) {
+                p = moved;
+                return;
+            }
+            forms.pop_back();
         }
     }
 }
