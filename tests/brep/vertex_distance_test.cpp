@@ -115,7 +115,7 @@ TEST(Facets, LieInTheirPlanes) {
     EXPECT_EQ(facets, solid.facets_kept);
     EXPECT_LE(farthest, exporter::kStepTolerance);
     for (const Fault& fault : check_part(solid.part, 0.1))
-        EXPECT_NE(fault.what, "it is open");
+        EXPECT_NE(fault.what, "an edge does not have two faces");
 }
 
 }  // namespace

@@ -272,7 +272,9 @@ private:
 void drop_empty(Part& part, Numbers& original) {
     std::vector<std::uint32_t> number(part.faces.size());
     std::uint32_t count = 0;
-    const auto is_empty = [](const Face& face) { return face.loops.front().empty(); };
+    const auto is_empty = [](const Face& face) {
+        return face.loops.empty() || face.loops.front().empty();
+    };
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         const bool is_gone = is_empty(part.faces[f]);
         if (!is_gone) original[count] = original[f];

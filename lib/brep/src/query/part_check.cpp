@@ -231,10 +231,10 @@ private:
     // Tests the conditions on all loops together.
     void test_whole(std::optional<double> area_mm2) {
         if (miss_ > tolerance_) report("an edge is off the surface");
-        if (is_plane() && outlines_ != 1) report("it has not one outline");
+        if (is_plane() && outlines_ != 1) report("a plane does not have one outer loop");
         const double area = area_mm2 ? *area_mm2 : measure(part_, face_, face_.frame.origin).area;
-        if (area <= 0.0) report("it has no area");
-        if (is_without_end(part_, face_)) report("it goes round and has no other end");
+        if (area <= 0.0) report("the area is not positive");
+        if (is_without_end(part_, face_)) report("a closed band has a loop at one end only");
         auto edges = any_interfere(map_, std::move(segments_), clear_);
         if (!edges && is_plane()) edges = arcs_crossing_near_corner(part_, face_);
         if (edges) faults_.push_back({face_number_, kCrossOrTouch, {edges->begin(), edges->end()}});
@@ -307,7 +307,8 @@ std::vector<Fault> check_part(Part& part, double tolerance_mm) {
         faults.insert(faults.end(), more.begin(), more.end());
     }
     for (std::size_t e = 0; e < uses.size(); ++e) {
-        if (uses[e] != 0 && (uses[e] != 2 || sum[e] != 0)) faults.push_back({0, "it is open"});
+        if (uses[e] != 0 && (uses[e] != 2 || sum[e] != 0))
+            faults.push_back({0, "an edge does not have two faces"});
     }
     return faults;
 }
