@@ -245,6 +245,27 @@ TEST(Recognise, KnowsHelicesOfBallsThatCrossTheWayThere) {
     }
 }
 
+// A ball goes down a whole turn of a helix around a core, and then along a line, deeper than the
+// ball is high. At the core, the side of the tool at rest touches the core's in a line, where the
+// circle of the core's top begins. The edge of helix and line ends in points where both are
+// tangent.
+TEST(Recognise, KnowsTurnsOfHelicesAroundCores) {
+    for (const double reach : {5.0, 8.0}) {
+        for (const double down : {0.5, 2.0}) {
+            for (const char* line : {"", "G1 Y40\n"}) {
+                SCOPED_TRACE(testing::Message() << reach << ", " << down << ", " << line);
+                const Golden golden{"turn",
+                                    fmt::format("T3 M6\nG0 X45 Y30 Z5\nG1 Z-7\n"
+                                                "G3 X45 Y30 Z{} I{} J0\n{}G0 Z5\n",
+                                                -7.0 - down, -reach, line),
+                                    {},
+                                    0.0};
+                EXPECT_EQ(make(golden, 0.05).solid.facets_kept, 0U);
+            }
+        }
+    }
+}
+
 // In drafts, arcs have few chords, and no facet shows a flat lune. Its depth is reported all the
 // same; a deep lune stays.
 TEST(Recognise, ReportsLunesWithoutFacets) {

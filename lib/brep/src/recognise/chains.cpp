@@ -40,6 +40,29 @@ std::optional<Spline> spline_along_circle(const Form& a, const Form& b, Vec3 fro
     return spline;
 }
 
+// Returns the plane, nearly, in which the edge of a ball's surfaces before and after a corner of
+// the path lies if both ends of the edge do.
+std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 from, Vec3 to) {
+    const auto plane = rough_mitre_plane(a, b);
+    const auto is_there = [&](Vec3 p) { return std::abs(distance(*plane, p)) <= kTangencyGapMm; };
+    return plane && is_there(from) && is_there(to) ? std::optional<Form>(*plane) : std::nullopt;
+}
+
+// Returns the edge of such surfaces at a bend that is too small to determine where they cross: a
+// curve in the plane of the corner on one surface, within rounding of the other one.
+std::optional<Spline> spline_in_mitre(const Form& a, const Form& b, const Form& mitre,
+                                      const std::vector<Vec3>& points) {
+    auto spline = intersection_spline(a, mitre, points);
+    if (!spline) return std::nullopt;
+    const Curve curve = *spline;
+    const Track track(curve, points.front(), points.back());
+    for (int i = 1; i < kSamples; ++i) {
+        if (std::abs(distance(b, track.at(static_cast<double>(i) / kSamples))) > kTangencyGapMm)
+            return std::nullopt;
+    }
+    return spline;
+}
+
 // Returns the arc of `circle` between corners that are off the circle. The circle on a cylinder has
 // the cylinder's radius.
 Spline arc_between(Circle circle, const Form& a, const Form& b, Vec3 from, Vec3 to) {
@@ -413,6 +436,18 @@ bool Chains::is_of_rounding(const Chain& chain) const {
            norm(middle_of(chain) - from) < reach({chain.left, chain.right});
 }
 
+// True if the points of a chain between vertices at the same place go around a whole circle.
+bool Chains::is_whole_turn(const Chain& chain) const {
+    const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
+    const std::vector<Vec3> points = points_of(chain);
+    if (groups_.is_facet(chain.left) || groups_.is_facet(chain.right) || points.size() < 4)
+        return false;
+    const Vec3 at = vertices_[chain.from].at;
+    const auto curve = intersection_curve(a, b, at, at, points[points.size() / 2]);
+    const auto* circle = curve ? std::get_if<Circle>(&*curve) : nullptr;
+    return circle && std::abs(winding_angle(points, circle->centre, circle->axis)) > 270.0;
+}
+
 void Chains::solve_chain(Chain& chain) {
     const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
     if (chain.has_vanished) return;
@@ -429,13 +464,10 @@ void Chains::solve_chain(Chain& chain) {
             return;
         }
     }
-    if (!is_loop && norm(to.at - from.at) <= kReaderMm) {
-        // Decides between a whole circle and a chain without length.
-        if (norm(middle_of(chain) - from.at) < reach({chain.left, chain.right})) {
-            chain.has_vanished = true;
-            return;
-        }
-    }
+    const bool is_point = !is_loop && norm(to.at - from.at) <= kReaderMm;
+    if (is_point && norm(middle_of(chain) - from.at) < reach({chain.left, chain.right}) &&
+        !is_whole_turn(chain))
+        return vanish(chain);
     if (groups_.is_facet(chain.left) || groups_.is_facet(chain.right)) {
         if (is_loop) return fail(chain);
         chain.curve = Line{};
@@ -457,6 +489,13 @@ void Chains::solve_chain(Chain& chain) {
     if (!curve) {
         points.front() = from.at;
         points.back() = to.at;
+        const std::optional<Form> mitre = mitre_of(a, b, from.at, to.at);
+        if (mitre) {
+            // Corners of polygons may lead to the other curve in which the surfaces meet.
+            const auto& plane = std::get<Plane>(*mitre);
+            for (std::size_t i = 1; i + 1 < points.size(); ++i)
+                points[i] = points[i] - distance(plane, points[i]) * plane.normal;
+        }
         // If the surfaces are tangent, the tangency surface determines the curve.
         const std::optional<Form> touching = tangency_surface(a, b);
         const Form& second = touching ? *touching : b;
@@ -468,6 +507,7 @@ void Chains::solve_chain(Chain& chain) {
         if (!spline && !is_loop &&
             (chain.is_flipped || dot(to.at - from.at, path_direction(chain)) > 0.0))
             spline = intersection_spline(first, second, {from.at, to.at});
+        if (!spline && mitre && !is_loop) spline = spline_in_mitre(a, b, *mitre, points);
         if (!spline) return is_of_rounding(chain) ? vanish(chain) : fail(chain);
         chain.curve = std::move(*spline);
         // The edge of two straight pipes has no lune if no facet shows one.
@@ -496,6 +536,10 @@ void Chains::solve_chain(Chain& chain) {
     if (!is_loop && is_at_bend && std::abs(rough) < 90.0 &&
         Track(*curve, from.at, to.at).sweep_degrees() > 270.0) {
         axis = -axis;
+        chain.curve = std::move(*curve);
+        return;
+    }
+    if (is_point && std::abs(rough) > 180.0) {
         chain.curve = std::move(*curve);
         return;
     }

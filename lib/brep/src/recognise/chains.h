@@ -165,6 +165,7 @@ private:
                                     const std::vector<Vec3>& points);
     void solve_chain(Chain& chain);
     bool is_of_rounding(const Chain& chain) const;
+    bool is_whole_turn(const Chain& chain) const;
     void vanish(Chain& chain) const { chain.has_vanished = true; }
     void fail(Chain& chain) {
         chain.has_failed = true;
