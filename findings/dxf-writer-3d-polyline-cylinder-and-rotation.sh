@@ -5,7 +5,7 @@
 # Input:    a 3D polyline that rises from z 0 to 20; a cylinder with the centre 10,20,30 along X; a square turned by 10 degrees
 #           and a text turned by 10 degrees; a spline with four fit points. Source: DXF reference (POLYLINE, group 70: 8 is a 3D
 #           polyline; CIRCLE: the centre is in the coordinate system of the object; SPLINE, group 74: number of fit points,
-#           groups 11, 21, 31: fit points) and comments of the package ("Center x", "Rotation angle (in Degrees) of the
+#           groups 11, 21, 31: fit points) and comments of the package ("Center x", "rotation angle (in Degrees) of the
 #           polygon").
 # Expected: The polyline is read with its heights. The centre of the cylinder is at 10,20,30. Polygon and text turn in the same
 #           direction. The file contains as many fit points as group 74 states.

@@ -4,7 +4,7 @@
 # Package:  npm, geometry-polyfill 1.0.7 and geometry-interfaces 2.0.0 (two implementations of DOMMatrix and DOMPoint of the
 #           W3C).
 # Input:    turns about Y and moves in Z, then a further move, turn, scale or inverse; the point 1,2,0. Source: Geometry
-#           Interfaces Module Level 1 (translate: "new matrix with the post-multiplied translation"; is2D is false after a 3D
+#           Interfaces Module Level 1 (translate, rotate and scale post-multiply a copy of the matrix; is2D is false after a 3D
 #           operation; DOMPoint: w is 1 by default).
 # Expected: A chain of translate, rotate and scale gives the same matrix as the same chain of translateSelf, rotateSelf and
 #           scaleSelf. A matrix that moves in x and y only is 2D. The default w is 1.

@@ -3,8 +3,8 @@
 #
 # Package:  npm, hachure-fill 0.5.2 (lines that fill a polygon, used by Rough.js).
 # Input:    a triangle with the corners 0,0 10,0 5.4,9.6, also from its second corner, a turned hexagon of radius 10, the same
-#           hexagon in inches, and a square from 0.5 to 20.5, with gaps between 1 and 2.5. Source: README ("Given a set of
-#           polygons, fill them with hachure lines"; hachureGap: gap between two lines; hachureAngle: angle of the lines).
+#           hexagon in inches, and a square from 0.5 to 20.5, with gaps between 1 and 2.5. Source: README of the package (lines
+#           that fill a polygon; the gap "sets the distance between each hachure line").
 # Expected: Both ends of each line lie on the outline. The distance of adjacent lines is the gap. The sum of the lengths times
 #           the gap is about the area.
 # Seen:     The gaps 1.5 and 2.5 are drawn as 3 and 5, so only half of the area is filled: the scan has steps of 1 and draws

@@ -9,8 +9,9 @@
 # Expected: The bounding box contains all points and touches them on each side. The normal of each face agrees with the order of
 #           its points, before and after the file. A turn about the axis 0,0,1 is the turn of rotate_z.
 # Seen:     The box of a part with negative coordinates ends at 0,0,0 instead of -5,-7,-8: the search of the maximum starts with
-#           the smallest positive number. After a file, three of four faces of a mesh with a mirrored matrix have normals
-#           against the order of their points. rotate_axis and quaternions turn clockwise, rotate_z counter-clockwise.
+#           the smallest positive number. After a file, three of four faces of a mesh with a mirrored matrix, and their corners,
+#           have normals against the order of their points. rotate_axis and quaternions turn clockwise, rotate_z
+#           counter-clockwise.
 
 set -euo pipefail
 work=$(mktemp -d)

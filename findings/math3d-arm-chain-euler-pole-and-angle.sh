@@ -3,8 +3,8 @@
 #
 # Package:  npm, math3d 0.2.2 (vectors, quaternions and transforms with parents, with the conventions of Unity).
 # Input:    a base, an arm at 10,0,0 and a tip at 20,0,0, each the child of the one before; Euler angles with x = 90 and x =
-#           -90; 1000 rotations and their angle to themselves. Source: README of the package and its comments (localRotation:
-#           "relative to the parent"; angleTo: angle between two quaternions).
+#           -90; 1000 rotations and their angle to themselves. Source: README of the package (localRotation: "Rotation in local
+#           coordinate system", eulerAngles, angleTo).
 # Expected: A tip follows its arm, as it follows its base. The Euler angles of a rotation give the same rotation again, at x =
 #           90, too, where a sum or a difference of y and z is free. The angle of a rotation to itself is 0.
 # Seen:     localRotation and localPosition leave the children in place: the arm turns and moves, and the tip stays at 0,20,0

@@ -4,13 +4,13 @@
 # Package:  npm, open3d 0.2.4 (3D geometry in JavaScript with the names of RhinoCommon).
 # Input:    the segment from 0,0,0 to 10,0,0 and five other segments; segments and a plane at z 5; turns from the direction
 #           1,0,0; points on the surface of a box. Source: documentation of the package (DistanceTo: "If true, the distance is
-#           limited to the finite line segment", "shortest distance"; VectorToVector: "A rotation matrix which rotates
+#           limited to the finite line segment", the shortest distance; VectorToVector: "A rotation matrix which rotates
 #           fromVector to toVector"; ContainsPoint: "If true, the point needs to be fully on the inside").
 # Expected: The distances are those of the closest of 401 x 401 pairs of points. The distance to a plane is not negative, and 0
 #           for a segment through it. The turn to the same direction is the identity, the turn to the opposite one a half turn.
 #           A point on the surface is inside if strict is false.
 # Seen:     The closest points of the infinite lines are limited to the segments one by one, so a segment at a distance of 5
-#           gets 0.42, and parallel segments beside each other get the distance of their lines, 4 instead of 10.77. A segment
+#           gets 0.42, and parallel segments one after the other get the distance of their lines, 4 instead of 10.77. A segment
 #           from z 1 to 3 is at -4 from the plane at z 5, and its reverse, too. The turn to the same and to the opposite
 #           direction is an error. strict has the opposite meaning.
 

@@ -4,8 +4,7 @@
 # Package:  npm, p2-es 1.2.3 (2D physics of rigid bodies; hit tests and rays).
 # Input:    bodies at 5,5 with a box of 2 x 8 at the local position 3,0, turned by 0, 30, 90 and 180 degrees; two boxes of
 #           different areas; vertical rays at a circle and at a slot of length 10 and radius 2. Source: documentation of
-#           Body.adjustCenterOfMass ("Moves the shape offsets so their center of mass becomes the body center of mass") and of
-#           Ray (closest hit, fraction of the ray).
+#           Body.adjustCenterOfMass ("Moves the shape offsets so their center of mass becomes the body center of mass").
 # Expected: The shapes keep their place in the world and only the origin of the body moves, so the bounding box remains. A ray
 #           that touches a circle hits its side, at y 0, or misses; a ray through a slot hits its top at y 2.
 # Seen:     adjustCenterOfMass adds the local offset to the position without the angle of the body: at 90 degrees the box jumps

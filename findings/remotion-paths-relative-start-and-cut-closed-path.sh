@@ -5,8 +5,8 @@
 # Input:    a triangle in five notations, moved by 10 in X, moved to the origin and centred; a closed square of 10 cut after 25,
 #           35 and 39; a closed triangle with a line after z, reversed. Source: SVG 2, 9.3.3 (a relative moveto at the start of
 #           a path is absolute) and 9.3.4 (after closepath, the next part starts at the same point); documentation
-#           (translatePath: "Allows you to translate a path", resetPath: moves the path so that its top left corner is at 0,0,
-#           cutPath: "Cuts a path until the given length").
+#           (translatePath moves a path, resetPath moves its top left corner to 0,0, centerPath its centre, cutPath cuts it at a
+#           length).
 # Expected: All notations move in the same way, as with svgpath. The cut square has the length of the cut. The reversed path has
 #           the same length.
 # Seen:     The start m 5 5 stays in place: a relative path does not move at all, and of a mixed one only the absolute parts

@@ -3,9 +3,9 @@
 #
 # Package:  npm, toxiclibsjs 0.3.3 (computational design: geometry, the JavaScript form of toxiclibs).
 # Input:    turns by 90 degrees about X, Y and Z by five functions; the quaternion of 90 degrees about Z; circles through three
-#           points; a ray that leaves a plane; a counter-clockwise triangle in the plane XY. Source: documentation of toxiclibs
-#           (rotateAroundAxis: "Rotates the vector around the given axis"; Circle.from3Points: "circle which has the three given
-#           points lying on its perimeter", null if they are collinear).
+#           points; a ray that leaves a plane; a counter-clockwise triangle in the plane XY. Source: comments of the package
+#           (rotateAroundAxis: "Rotates the vector around the giving axis"; Circle.from3Points: "circle which has the three
+#           given points lying on its perimeter", null only if they are collinear).
 # Expected: All functions turn in the same direction, and no turn changes a length. Three corners of a triangle have a
 #           circumcircle. A ray does not meet a plane behind its origin. The normal of a counter-clockwise triangle in XY is
 #           0,0,1, as in the right-handed product of its sides.

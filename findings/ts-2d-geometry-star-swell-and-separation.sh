@@ -4,7 +4,8 @@
 # Package:  npm, ts-2d-geometry 6.3.5 (polygons, segments and transforms of the plane).
 # Input:    a square, an L and a star with five tips, each enlarged by 1; two regular octagons of radius r at a distance of r,
 #           to be separated along -X; the point 1,0 turned by 90 degrees and by the vector 0,1. Source: README of the package
-#           ("swell" enlarges a polygon, "separationVector" is the vector that separates two polygons in a direction).
+#           (positive y goes upwards, which matters for rotation) and names of the functions (swell, separationVector with a
+#           direction).
 # Expected: Each area grows. The first octagon moves by -r in X, because the corners of both octagons lie on the X axis. Both
 #           turns have the same direction.
 # Seen:     The star loses half of its area, 117.56 to 56.85, because the orientation is the sum of the cross products of

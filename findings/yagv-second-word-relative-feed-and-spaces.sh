@@ -3,11 +3,11 @@
 #
 # Package:  Debian 12, yagv 0.4~20171211.r234ef16+dfsg-2 (viewer of G-code; its module gcodeParser). Python 3.11.
 # Input:    programs with two G words in a block, with a feed in relative blocks, and with a space between letter and number.
-#           Source: RS274/NGC, 3.3 ("A line may have zero to four G words"; spaces and tabs are allowed anywhere on a line),
-#           G91: increments of the axes; F is a rate and no axis.
+#           Source: RS274/NGC: a line may have several G words of different modal groups; spaces and tabs are allowed anywhere
+#           on a line; G91 is about axes, and F is a rate.
 # Expected: G91 G1 X10 moves by 10, or a warning names the words that are not read. The feed of F600 F600 F600 is 600. X 10 is
 #           X10.
-# Seen:     Of a block, only the code at its start is read: G91 G1 X10 and G90 G0 X40 move nothing, without a warning, and the
+# Seen:     Only the code at the start of a block is read: G91 G1 X10 and G90 G0 X40 move nothing, without a warning, and the
 #           next block starts at 0. A block without a code is dropped with a warning. In relative blocks F adds up: 600, 1200,
 #           1800. X 10 is X1, with a warning about an axis 1.
 

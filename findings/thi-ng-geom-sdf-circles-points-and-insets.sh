@@ -2,17 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Package:  npm, @thi.ng/geom-sdf 0.4.3 with @thi.ng/geom 8.0.1 (signed distance fields of shapes of the plane).
-# Input:    a frame of 40 x 40 with a window of 4 x 4 in its middle as a difference of two polygons, with and without the
-#           attribute bounds; a square; ellipses; a point; a straight quadratic curve. Source: documentation of SDFAttribs
-#           (bounds: the distance is only computed inside a bounding circle, if there is a distance from an earlier shape;
-#           offset: "Additive (outward) offset").
-# Expected: bounds changes the time and no sign, so a point between the window and the border is inside of the frame. An ellipse
-#           with equal radii is a circle. The distance of 3,4 to the point 0,0 is 5. A negative offset moves the border inwards.
-# Seen:     With bounds, the frame is outside of itself: the distance at 5,20 is 5 instead of -5, because the second shape
-#           repeats the smallest distance, here that of the first shape, and the difference takes its opposite; only union and
-#           points close to the window are right. Each distance to an ellipse with equal radii is NaN, to an ellipse 4,5 it is 0
-#           at the centre. The distance to a point is squared. A negative offset is ignored. The distance to a straight
-#           quadratic curve is NaN.
+# Input:    ellipses, one with equal radii; the point 0,0; a square with offsets; a straight quadratic curve; a frame of 40 x 40
+#           with a window of 4 x 4 as a difference of two polygons, with and without the attribute bounds. Source: documentation
+#           of SDFAttribs (offset: "Subtracts given value from actual distance, thereby creating an offsetting effect"; bounds:
+#           wrapped "with a bounding box pre-check", "only usable in some circumstances").
+# Expected: An ellipse with equal radii is a circle. The distance of 3,4 to the point 0,0 is 5. A negative offset moves the
+#           border inwards. A check of bounds changes the time and no sign, or the circumstances are named.
+# Seen:     Each distance to an ellipse with equal radii is NaN, to an ellipse 4,5 it is 0 at the centre. The distance to a
+#           point is squared: 25. A negative offset is ignored. The distance to a straight quadratic curve is NaN. With bounds,
+#           the frame is outside of itself, 5 instead of -5 at 5,20, because a shape with a distant circle returns the smallest
+#           distance before it, here of the first shape, and the difference takes its opposite; only union and points close to
+#           the window are right.
 
 set -euo pipefail
 work=$(mktemp -d)
