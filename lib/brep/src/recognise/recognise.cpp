@@ -63,7 +63,7 @@ public:
         // A round over many facets takes long, so there are fewer rounds. If corners alone have
         // failed in the first rounds, strips are narrower than facets, and more rounds do not help.
         if (mesh_.is_broken() || mesh_.size() > 200'000) return std::nullopt;
-        const bool are_many = mesh_.size() > 20'000;
+        const bool are_many = mesh_.size() > 10'000;
         for (int round = 0; round < (are_many ? 40 : 100); ++round) {
             if (are_many && round == kLenientRounds && spent_[kCorners] == round)
                 return std::nullopt;
