@@ -40,6 +40,7 @@
 #include <set>
 #include <span>
 #include <utility>
+#include <variant>
 
 namespace ncsim::brep {
 
@@ -56,6 +57,7 @@ public:
           apex_(mesh_.point(mesh_.edges().front().from)),
           most_work_(most_work),
           work_(5 * mesh_.size()),  // Labels and the first solution cost as much as five rounds.
+          coils_(count_coils()),
           face_checks_(apex_) {}
 
     // The shell as a part without solids; nothing if it cannot be had.
@@ -104,10 +106,19 @@ public:
 
     // As the last attempt left it.
     std::size_t demoted_count() const { return mesh_.demoted_count(); }
+    bool has_lost_coils() const { return count_coils() < coils_; }
     std::uint64_t work() const { return work_; }
     double mitred_mm() const { return std::max(groups_.mitred_mm(), chains_.mitred_mm()); }
 
 private:
+    // Returns the number of facets that are labelled with a coil.
+    std::size_t count_coils() const {
+        std::size_t count = 0;
+        for (std::uint32_t i = 0; i < mesh_.size(); ++i)
+            count += std::holds_alternative<Coil>(mesh_.surface(mesh_[i].label).form) ? 1U : 0U;
+        return count;
+    }
+
     // Until nothing joins any more. False: there was no end to it.
     bool settle_groups() {
         for (int pass = 0; pass < 1000; ++pass) {
@@ -346,6 +357,7 @@ private:
     FacetMesh mesh_;
     Vec3 apex_;
     std::uint64_t most_work_, work_;  // facets times rounds
+    std::size_t coils_;               // facets with a coil at first
     Groups groups_{mesh_};
     Failures failures_;  // of this round
     Chains chains_{mesh_, groups_, failures_};
@@ -429,6 +441,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, SweptSurf
         ShellRecogniser recogniser(facets, sources, shells[s], most_work);
         const auto part = recogniser();
         result.facets_demoted += recogniser.demoted_count();
+        result.has_lost_coils = result.has_lost_coils || recogniser.has_lost_coils();
         result.work += recogniser.work();
         result.has_ended_early = result.has_ended_early || recogniser.work() > most_work;
         if (part) result.mitred_mm = std::max(result.mitred_mm, recogniser.mitred_mm());
