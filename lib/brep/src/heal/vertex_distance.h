@@ -24,7 +24,8 @@ namespace ncsim::brep {
 /// 1.5e-5 mm (3e-5, 1e-4, if there are none) become points, whatever hangs together by them, for
 /// what has nothing between then goes, and it all begins again.
 ///
-/// Of each face: which one it was, or was part of. O(n log n) for n edges.
-std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part);
+/// Of each face: which one it was, or was part of. `is_sound` becomes true if the part has no
+/// degenerate_planes() at the end. O(n log n) for n edges.
+std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part, bool* is_sound = nullptr);
 
 }  // namespace ncsim::brep

@@ -95,9 +95,11 @@ public:
                 is_as_it_was.push_back(false);
                 group_of_face_.push_back(group_of_face_[f]);
             }
-            const std::vector<std::uint32_t> was = enforce_min_vertex_distance(part);
+            bool are_planes_sound = true;
+            const std::vector<std::uint32_t> was =
+                enforce_min_vertex_distance(part, &are_planes_sound);
             find_unsound_facets(part, was, is_as_it_was);
-            find_crossed_planes(part, was);
+            if (!are_planes_sound) find_crossed_planes(part, was);
             if (failures_.empty()) return part;
             if (!groups_.relabel(failures_, Strictness::Full)) return std::nullopt;
         }
