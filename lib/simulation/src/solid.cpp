@@ -95,7 +95,11 @@ public:
         constexpr std::size_t kFew = 8;
         is_promising_ = kFew * solid.facets_demoted <= simulation.boundary->faces.size() &&
                         4 * solid.facets_demoted >= solid.facets_kept;
+        has_lost_coils_ = solid.has_lost_coils;
     }
+
+    // Records that a further cut did not help. Other tolerances of tools alone seldom do then.
+    void add_failure() { is_promising_ = has_lost_coils_ = false; }
 
     // True if the cut is within the budget. Hulls and facets grow about with the fourth root of
     // both factors.
@@ -105,9 +109,10 @@ public:
         const double growth = 1.0 / std::sqrt(std::sqrt(cut.of_tools * cut.of_arcs));
         const auto next = static_cast<std::uint64_t>(growth * static_cast<double>(plain_));
         const std::uint64_t times = cut.of_arcs == 1.0 ? kTimesOfToolsAlone : kTimes;
-        // A single cut of the tools fits into the budget of other parts.
-        const std::uint64_t most = is_promising_ ? std::max(4 * kLeast, times * plain_)
-                                                 : std::max(kLeast, kTimes * plain_ + plain_ / 8);
+        // A single cut of the tools shows the flanks of threads.
+        const std::uint64_t of_coils = has_lost_coils_ ? kTimes * plain_ + plain_ / 8 : 0;
+        const std::uint64_t most =
+            is_promising_ ? std::max(4 * kLeast, times * plain_) : std::max(kLeast, of_coils);
         return used_ + next <= most;
     }
 
@@ -115,7 +120,7 @@ private:
     static constexpr std::uint64_t kLeast = 12'000;  // for small parts
 
     std::uint64_t plain_, used_;
-    bool is_limited_, is_promising_ = false;
+    bool is_limited_, is_promising_ = false, has_lost_coils_ = false;
 };
 
 // Returns the largest error of a tool's polygon, mm. Small tools have more sides than the tolerance
@@ -172,6 +177,8 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
             best = {std::move(solid), std::move(again.provenance), other.tool_tolerance,
                     other.tolerance};
             best.has_ended_early = has_ended_early;
+        } else {
+            budget.add_failure();
         }
     }
     best.cuts = made;

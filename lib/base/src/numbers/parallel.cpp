@@ -30,7 +30,9 @@ struct Background::Shared {
 };
 
 std::size_t thread_count(std::size_t threads) {
-    return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+    // The system reads a file for this number.
+    static const std::size_t of_hardware = std::max(1U, std::thread::hardware_concurrency());
+    return threads > 0 ? threads : of_hardware;
 }
 
 Background::Background(std::size_t others, std::size_t tasks, std::function<void(std::size_t)> work)

@@ -41,20 +41,23 @@ SpiralPlace place_at(const Spiral& spiral, double turn) {
 SpiralPlace project_onto(const Spiral& spiral, Vec3 p) {
     const Vec3 v = p - spiral.centre;
     const double height = dot(v, spiral.axis);
-    const Vec3 level = spiral.centre + (v - height * spiral.axis);
     const double x = dot(v, spiral.ahead), y = dot(v, cross(spiral.axis, spiral.ahead));
-    SpiralPlace place = place_at(spiral, angle_of(x, y) * kRadiansPerDegree);
-    // Newton's method for the angle at which `p` lies across the path. The derivative is the speed
-    // of the offset path through `p`.
+    // Newton's method for the angle at which `p` lies across the path, in the plane of the path.
+    // The derivative is the speed of the offset path through `p`.
+    double turn = angle_of(x, y) * kRadiansPerDegree;
     for (int step = 0; step < 40; ++step) {
-        const Vec3 deviation = level - place.path_point;
-        const double pace = pace_at(spiral, place.turn, dot(deviation, place.out));
-        if (!(pace > kRounding)) break;
-        double turn = dot(deviation, place.along) / pace;
-        if (std::abs(turn) > 0.3) turn = turn < 0.0 ? -0.3 : 0.3;
-        place = place_at(spiral, place.turn + turn);
-        if (std::abs(turn) < 0.01 * kUnitRounding) break;
+        const auto t = sin_cos(turn / kRadiansPerDegree);
+        const double reach = spiral.reach + spiral.lead * turn;
+        const double up = t.cos * x + t.sin * y - reach, tangent = t.cos * y - t.sin * x;
+        const double pace = std::sqrt(reach * reach + spiral.lead * spiral.lead);
+        const double speed = pace_at(spiral, turn, (reach * up - spiral.lead * tangent) / pace);
+        if (!(speed > kRounding)) break;
+        double change = (spiral.lead * up + reach * tangent) / (pace * speed);
+        if (std::abs(change) > 0.3) change = change < 0.0 ? -0.3 : 0.3;
+        turn += change;
+        if (std::abs(change) < 0.01 * kUnitRounding) break;
     }
+    SpiralPlace place = place_at(spiral, turn);
     place.height = height;
     return place;
 }

@@ -31,25 +31,29 @@ Basis basis_at(const std::vector<double>& knots, std::size_t degree, double t) {
     const std::size_t span = degree + piece * ((degree + 1) / 2);
     Basis basis;
     basis.first = span - degree;
+    // Knots from the first function's on.
+    std::array<double, 12> at{};
+    for (std::size_t i = 0; i <= 2 * degree + 1; ++i)
+        at[i] = knot(knots, degree, basis.first + i);
     std::array<double, 6>& n = basis.value;
     n[0] = 1.0;
     for (std::size_t j = 1; j <= degree; ++j) {
         if (j == degree) {
             // Derivatives come from the functions of the degree before.
+            const auto share = [&](std::size_t k) {
+                return n[k] / (at[k + 1 + degree] - at[k + 1]);
+            };
+            double before = 0.0;
             for (std::size_t r = 0; r <= degree; ++r) {
-                const auto share = [&](std::size_t k, std::size_t i) {
-                    return n[k] / (knot(knots, degree, i + degree) - knot(knots, degree, i));
-                };
-                const std::size_t i = basis.first + r;
-                basis.derivative[r] =
-                    static_cast<double>(degree) *
-                    ((r > 0 ? share(r - 1, i) : 0.0) - (r < degree ? share(r, i + 1) : 0.0));
+                const double after = r < degree ? share(r) : 0.0;
+                basis.derivative[r] = static_cast<double>(degree) * (before - after);
+                before = after;
             }
         }
         double saved = 0.0;
         for (std::size_t r = 0; r < j; ++r) {
-            const double right = knot(knots, degree, span + r + 1) - t;
-            const double left = t - knot(knots, degree, span + 1 + r - j);
+            const double right = at[degree + r + 1] - t;
+            const double left = t - at[degree + 1 + r - j];
             const double ratio = n[r] / (right + left);
             n[r] = saved + right * ratio;
             saved = left * ratio;

@@ -141,6 +141,16 @@ private:
     std::array<ProjectionSeed, 3> seeds_;  // For both forms and the plane across the curve.
 };
 
+// True if all edges of the face end in their corners, except for rounding.
+bool ends_in_corners(const Part& part, const Face& face) {
+    return std::ranges::all_of(uses_of(face), [&](const EdgeUse& use) {
+        const Edge& edge = part.edges[use.edge];
+        const Track track = track_of(part, edge);
+        return norm(track.at(0.0) - part.vertices[edge.from]) <= kRounding &&
+               norm(track.at(1.0) - part.vertices[edge.to]) <= kRounding;
+    });
+}
+
 }  // namespace
 
 void refine_splines(Part& part) {
@@ -159,11 +169,12 @@ void refine_splines(Part& part) {
         before[e] = std::exchange(part.edges[e].curve, std::move(*finer));
         changed.insert({f, g});
     }
-    // Restores the old curves of faces with faults: a finer edge may cross another edge near a
-    // corner that is off the curve.
+    // Restores the old curves of faces with faults: a finer edge may cross another edge, but only near
+    // a corner that is off the curve.
     while (!changed.empty()) {
         const std::uint32_t f = *changed.begin();
         changed.erase(changed.begin());
+        if (ends_in_corners(part, part.faces[f])) continue;
         double miss = 0.0;
         if (faults_of(part, f, kTangencyGapMm, miss).empty()) continue;
         for (const EdgeUse& use : uses_of(part.faces[f])) {

@@ -52,11 +52,15 @@ double area_of_faces(const Part& part) {
     return area;
 }
 
+// True if the part is closed and has the volume.
+bool is_whole(const Part& part, double volume_mm3) {
+    return is_closed(part) && std::abs(volume(part) - volume_mm3) <= kFlat * area_of_faces(part);
+}
+
 }  // namespace
 
 bool is_sound_polyhedron(const Part& part, double volume_mm3) {
-    return is_closed(part) && degenerate_planes(part).empty() &&
-           std::abs(volume(part) - volume_mm3) <= kFlat * area_of_faces(part);
+    return is_whole(part, volume_mm3) && degenerate_planes(part).empty();
 }
 
 FlatPart flat_part(const std::function<Facets(double times)>& facets) {
@@ -64,12 +68,14 @@ FlatPart flat_part(const std::function<Facets(double times)>& facets) {
     for (const double times : {1.0, 4.0, 16.0, 64.0}) {
         const Facets joined = facets(times);
         FlatPart made{faceted(joined.boundary, joined.origins), times};
-        enforce_min_vertex_distance(made.part);
+        bool are_planes_sound = true;
+        enforce_min_vertex_distance(made.part, &are_planes_sound);
         // At the original tolerance, an empty part means that there are no facets. At larger
         // factors, a body thinner than the tolerance has vanished.
         const bool is_empty = made.part.faces.empty();
-        made.is_sound =
-            is_empty ? times == 1.0 : is_sound_polyhedron(made.part, cda::volume(joined.boundary));
+        made.is_sound = is_empty
+                            ? times == 1.0
+                            : are_planes_sound && is_whole(made.part, cda::volume(joined.boundary));
         if (made.is_sound) return made;
         if (times == 1.0) finest = std::move(made);
     }

@@ -415,8 +415,8 @@ bool split_at_touching_corners(Part& part, const Numbers& faces, double near_mm,
 
 }  // namespace
 
-std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part) {
-    Numbers original(part.faces.size()), faces;
+std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part, bool* is_sound) {
+    Numbers original(part.faces.size()), faces, crossed;
     std::iota(original.begin(), original.end(), 0U);
     // Each step may allow changes that were impossible in an earlier step.
     for (int rounds_left = 10; rounds_left > 0; --rounds_left) {
@@ -430,7 +430,7 @@ std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part) {
         faces.resize(part.faces.size());
         std::iota(faces.begin(), faces.end(), 0U);
         split_at_touching_corners(part, faces, kLeast, original);
-        Numbers crossed = degenerate_planes(part);
+        crossed = degenerate_planes(part);
         if (crossed.empty()) break;
         if (split_at_touching_corners(part, crossed, kFlat, original))
             crossed = degenerate_planes(part);
@@ -447,6 +447,7 @@ std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part) {
             [&](double near_mm) { return collapse_short_edges(part, crossed, near_mm); });
         if (!has_collapsed && !had_pockets) break;
     }
+    if (is_sound) *is_sound = crossed.empty();
     return original;
 }
 

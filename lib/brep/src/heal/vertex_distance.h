@@ -24,9 +24,10 @@ namespace ncsim::brep {
 ///   if there are none, edges shorter than 3e-5 mm, then 1e-4 mm. Then all steps are repeated, at
 ///   most 10 times in total, because the collapse may leave spikes and flat pockets to erase.
 ///
-/// Edges that are no longer used stay in the part.
+/// Edges that are no longer used stay in the part. Sets `is_sound` to true if the part has no
+/// degenerate_planes() at the end.
 /// Returns: for each face, the number of the original face of which the face is a part.
 /// Cost: O(n log n) for n edges.
-std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part);
+std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part, bool* is_sound = nullptr);
 
 }  // namespace ncsim::brep

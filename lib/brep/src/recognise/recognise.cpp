@@ -41,6 +41,7 @@
 #include <set>
 #include <span>
 #include <utility>
+#include <variant>
 
 namespace ncsim::brep {
 
@@ -57,6 +58,7 @@ public:
           apex_(mesh_.point(mesh_.edges().front().from)),
           most_work_(most_work),
           work_(5 * mesh_.size()),  // Labels and the first solution cost as much as five rounds.
+          coils_(count_coils()),
           face_checks_(apex_) {}
 
     // Returns the shell as a part without solids; empty if the shell cannot be recognised.
@@ -64,7 +66,7 @@ public:
         // A round over many facets takes long, so there are fewer rounds. If corners alone have
         // failed in the first rounds, strips are narrower than facets, and more rounds do not help.
         if (mesh_.is_broken() || mesh_.size() > 200'000) return std::nullopt;
-        const bool are_many = mesh_.size() > 20'000;
+        const bool are_many = mesh_.size() > 10'000;
         for (int round = 0; round < (are_many ? 40 : 100); ++round) {
             if (are_many && round == kLenientRounds && spent_[kCorners] == round)
                 return std::nullopt;
@@ -94,9 +96,11 @@ public:
                 is_as_it_was.push_back(false);
                 group_of_face_.push_back(group_of_face_[f]);
             }
-            const std::vector<std::uint32_t> was = enforce_min_vertex_distance(part);
+            bool are_planes_sound = true;
+            const std::vector<std::uint32_t> was =
+                enforce_min_vertex_distance(part, &are_planes_sound);
             find_unsound_facets(part, was, is_as_it_was);
-            find_crossed_planes(part, was);
+            if (!are_planes_sound) find_crossed_planes(part, was);
             if (failures_.empty()) return part;
             if (!groups_.relabel(failures_, Strictness::Full)) return std::nullopt;
         }
@@ -105,10 +109,19 @@ public:
 
     // Returns the number of facets without label after the last attempt.
     std::size_t demoted_count() const { return mesh_.demoted_count(); }
+    bool has_lost_coils() const { return count_coils() < coils_; }
     std::uint64_t work() const { return work_; }
     double mitred_mm() const { return std::max(groups_.mitred_mm(), chains_.mitred_mm()); }
 
 private:
+    // Returns the number of facets that are labelled with a coil.
+    std::size_t count_coils() const {
+        std::size_t count = 0;
+        for (std::uint32_t i = 0; i < mesh_.size(); ++i)
+            count += std::holds_alternative<Coil>(mesh_.surface(mesh_[i].label).form) ? 1U : 0U;
+        return count;
+    }
+
     // Repeats grouping until no more groups are merged. Returns false if there is no end.
     bool settle_groups() {
         for (int pass = 0; pass < 1000; ++pass) {
@@ -353,6 +366,7 @@ private:
     FacetMesh mesh_;
     Vec3 apex_;
     std::uint64_t most_work_, work_;  // facets times rounds
+    std::size_t coils_;               // facets with a coil at first
     Groups groups_{mesh_};
     Failures failures_;  // of this round
     Chains chains_{mesh_, groups_, failures_};
@@ -437,6 +451,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, SweptSurf
         ShellRecogniser recogniser(facets, sources, shells[s], most_work);
         const auto part = recogniser();
         result.facets_demoted += recogniser.demoted_count();
+        result.has_lost_coils = result.has_lost_coils || recogniser.has_lost_coils();
         result.work += recogniser.work();
         result.has_ended_early = result.has_ended_early || recogniser.work() > most_work;
         if (part) result.mitred_mm = std::max(result.mitred_mm, recogniser.mitred_mm());

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -16,20 +15,24 @@ template <class T>
 class Chunks {
 public:
     void push_back(T item) {
-        if (size_ % kChunk == 0 && size_ / kChunk == chunks_.size())
-            chunks_.push_back(std::make_unique_for_overwrite<T[]>(kChunk));
-        chunks_[size_ / kChunk][size_ % kChunk] = std::move(item);
+        const std::size_t last = size_ / kChunk;
+        if (last == chunks_.size()) chunks_.emplace_back().reserve(kChunk);
+        chunks_[last].push_back(std::move(item));
         ++size_;
     }
     T& operator[](std::size_t i) { return chunks_[i / kChunk][i % kChunk]; }
     const T& operator[](std::size_t i) const { return chunks_[i / kChunk][i % kChunk]; }
     std::size_t size() const { return size_; }
     /// Removes all items and keeps the memory.
-    void clear() { size_ = 0; }
+    void clear() {
+        for (std::vector<T>& chunk : chunks_)
+            chunk.clear();
+        size_ = 0;
+    }
 
 private:
     static constexpr std::size_t kChunk = 4096;
-    std::vector<std::unique_ptr<T[]>> chunks_;
+    std::vector<std::vector<T>> chunks_;  // Memory of unused items is not touched.
     std::size_t size_ = 0;
 };
 

@@ -33,6 +33,7 @@ struct Recognised {
     /// Counted work: a unit for each facet in each round of corrections.
     std::uint64_t work = 0;
     bool has_ended_early = false;  ///< True if a shell had more work than was allowed.
+    bool has_lost_coils = false;   ///< True if facets of a coil were not recognised.
     /// Largest height in mm by which a removed lune is lower than the surface in its place. Balls
     /// leave lunes at corners of the path.
     double mitred_mm = 0.0;
