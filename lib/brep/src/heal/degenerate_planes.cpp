@@ -27,21 +27,6 @@ std::vector<std::uint32_t> planes_of_no_size(const Part& part) {
     return found;
 }
 
-// How far each corner is off the planes around it, at most: readers take what is nearer for it.
-std::vector<double> width_of_corners(const Part& part) {
-    std::vector<double> width(part.vertices.size(), 0.0);
-    for (const Face& face : part.faces) {
-        if (!is_plane(face)) continue;
-        for (const EdgeUse& use : uses_of(face)) {
-            const Edge& edge = part.edges[use.edge];
-            for (const std::uint32_t v : {edge.from, edge.to})
-                width[v] =
-                    std::max(width[v], std::abs(distance(face.surface.form, part.vertices[v])));
-        }
-    }
-    return width;
-}
-
 // Is what a loop of a plane goes round narrower than so many of its corners are wide? Not where it
 // has round edges.
 bool has_no_width(const Part& part, const Plane& plane, const Loop& loop,
@@ -62,7 +47,7 @@ bool has_no_width(const Part& part, const Plane& plane, const Loop& loop,
 
 // Planes that readers lose in their corners, or holes of theirs.
 std::vector<std::uint32_t> planes_of_no_width(const Part& part) {
-    const std::vector<double> width_of = width_of_corners(part);
+    const std::vector<double> width_of = reader_widths(part).corners;
     std::vector<std::uint32_t> found;
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         const auto* plane = std::get_if<Plane>(&part.faces[f].surface.form);

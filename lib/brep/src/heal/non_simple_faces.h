@@ -11,9 +11,10 @@
 namespace ncsim::brep {
 
 /// Of planes with a corner on a straight edge of theirs, or two corners in one place, within
-/// `near_mm`: the edge is divided there, and both corners are one. No more than that is moved, and
-/// corners only where planes alone meet, in lines. Looks at these faces. True: something has
-/// changed. O(n log n) for n edges that are spread evenly.
+/// `near_mm`, or a corner within the widths of both (reader_widths(), at most 1e-4 mm): the edge is
+/// divided there, and both corners are one. No more than that is moved, and corners only where
+/// planes alone meet, in lines. Looks at these faces. True: something has changed. O(n log n) for n
+/// edges that are spread evenly.
 bool join_touching_corners(Part& part, const std::vector<std::uint32_t>& faces, double near_mm);
 
 /// Loops of planes that come back to a corner become several, and where these lie beside each other
