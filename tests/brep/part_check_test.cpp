@@ -13,8 +13,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace ncsim::brep {
@@ -392,6 +394,47 @@ TEST(Apart, MakesOneOfCornersThatReadersWouldTakeForOne) {
     EXPECT_EQ(text_of(check_part(part, 1e-4)), "");
 }
 
+// Moves the plane of a wall of post() outwards. The corners of the wall are off the plane then.
+void move_wall(Part& part, std::size_t wall, double by_mm) {
+    Plane& plane = std::get<Plane>(part.faces[wall].surface.form);
+    plane.origin = plane.origin + by_mm * plane.normal;
+}
+
+// The corners of a wall are off its plane by 5e-5 mm. The adjacent planes determine where they are.
+TEST(Apart, MovesCornersOntoTheirPlanes) {
+    Part part = post({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+    move_wall(part, 0, 5e-5);
+    enforce_min_vertex_distance(part);
+    for (const Face& face : part.faces) {
+        for (const EdgeUse& use : face.loops.front()) {
+            for (const std::uint32_t v : {part.edges[use.edge].from, part.edges[use.edge].to})
+                EXPECT_NEAR(distance(face.surface.form, part.vertices[v]), 0.0, 1e-9);
+        }
+    }
+    EXPECT_NEAR(volume(part), 5 * 10 * (10 + 5e-5), 1e-9);
+}
+
+// A wall of 2e-5 mm ends at 3 degrees to a wall whose plane is 2.5e-5 mm off the common corner.
+// Readers give this corner a width of 2.5e-5 mm, in which they lose the narrow wall.
+TEST(Apart, EdgesShorterThanTheirCornersAreWideArePoints) {
+    const double length = 2e-5;
+    Part part = post({{0, 0}, {10, 0}, {10, 10}, {10 - length, 10 + 0.05 * length}, {0, 10}});
+    move_wall(part, 3, 2.5e-5);
+    enforce_min_vertex_distance(part);
+    EXPECT_EQ(part.faces.size(), 6U);
+    EXPECT_GT(shortest_edge(part), 4.9);
+    EXPECT_EQ(text_of(check_part(part, 1e-4)), "");
+}
+
+// The same wall between corners on all of their planes is wide enough.
+TEST(Apart, EdgesOfCornersWithoutWidthStay) {
+    const double length = 2e-5;
+    Part part = post({{0, 0}, {10, 0}, {10, 10}, {10 - length, 10 + 0.05 * length}, {0, 10}});
+    enforce_min_vertex_distance(part);
+    EXPECT_EQ(part.faces.size(), 7U);
+    EXPECT_NEAR(shortest_edge(part), length, 0.01 * length);
+}
+
 // A spur of 1e-7 mm at 3 degrees to a wall. A longer spur would be nearer to the wall than readers
 // can resolve.
 TEST(Apart, MakesNoSpursOfCorners) {
@@ -465,6 +508,21 @@ TEST(Apart, PartsFacesWithACornerOnTheirEdge) {
     EXPECT_EQ(part.faces.size(), 9U);
     EXPECT_EQ(was, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 5, 6}));
     EXPECT_NEAR(volume(part), 250.0, 1e-5);
+}
+
+// A corner of the lid is 2e-5 mm from the opposite edge, to which readers give a width of 2.5e-5
+// mm.
+TEST(Apart, PartsFacesWithACornerWithinTheWidthOfAnEdge) {
+    const std::vector<std::pair<double, double>> outline{{-10, 0.2}, {0, 0},    {10, 0},  {20, 0.2},
+                                                         {20, 10},   {5, 2e-5}, {-10, 10}};
+    Part part = post(outline);
+    move_wall(part, 1, 2.5e-5);
+    enforce_min_vertex_distance(part);
+    EXPECT_EQ(faults_of_solids(part), "");
+    EXPECT_EQ(part.faces.size(), 11U);
+    Part exact = post(outline);
+    enforce_min_vertex_distance(exact);
+    EXPECT_EQ(exact.faces.size(), 9U);
 }
 
 // Two corners of the lid coincide up to rounding. The lid becomes two faces that meet there.

@@ -10,6 +10,7 @@
 
 #include <sstream>
 #include <string>
+#include <variant>
 
 namespace ncsim::exporter {
 namespace {
@@ -42,6 +43,20 @@ TEST(WriteStep, NamesFacesAfterTheirLines) {
     EXPECT_EQ(ncsim::test::count(text, "ADVANCED_FACE('LINE_10_20_30'"),
               1U);  // floor of the groove
     EXPECT_GT(ncsim::test::count(text, "ADVANCED_FACE('LINE_40'"), 0U);
+}
+
+// Readers would shift the plane into its corner, and find all other corners off the plane.
+TEST(WriteStep, PlanesStayWhereTheyAreIfTheirCornersAreOff) {
+    test::BoxPart box;
+    box.stock = {{0, 0, 0}, {2, 2, 2}};
+    brep::Part part = flat_solid(test::boundary_of(box), 0.0).part;
+    for (brep::Face& face : part.faces) {
+        brep::Plane& plane = std::get<brep::Plane>(face.surface.form);
+        if (plane.normal.x > 0.5) plane.origin.x += 1e-5;
+    }
+    std::ostringstream out;
+    write_step_solid(out, part, test::provenance_of(box));
+    EXPECT_EQ(ncsim::test::count(out.str(), "=CARTESIAN_POINT('',(2.00001,"), 1U);
 }
 
 // gmsh and FreeCAD show the names of products, and solids of one product have none.

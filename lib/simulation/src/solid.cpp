@@ -123,6 +123,12 @@ private:
     bool is_limited_, is_promising_ = false, has_lost_coils_ = false;
 };
 
+// Returns the number of facets below which another solid is better. Shells of facets alone are
+// exact, so an eighth of the facets is to go for surfaces that facets meet within their error.
+std::size_t facets_to_beat(const brep::Recognised& solid) {
+    return solid.facets_kept - (solid.shells_kept == 0 ? 0 : solid.facets_kept / 8);
+}
+
 // Returns the largest error of a tool's polygon, mm. Small tools have more sides than the tolerance
 // needs, so finer tolerances are relative to this error.
 double tool_error(const Plan& plan, const Simulation& simulation) {
@@ -173,7 +179,7 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
         budget.add(work_of(again) + solid.work);
         is_coarse = are_facets_too_large(solid, again);
         const bool has_ended_early = solid.has_ended_early;
-        if (solid.facets_kept < best.recognised.facets_kept) {
+        if (solid.facets_kept < facets_to_beat(best.recognised)) {
             best = {std::move(solid), std::move(again.provenance), other.tool_tolerance,
                     other.tolerance};
             best.has_ended_early = has_ended_early;

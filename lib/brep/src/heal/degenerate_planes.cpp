@@ -28,22 +28,6 @@ std::vector<std::uint32_t> planes_of_no_size(const Part& part) {
     return found;
 }
 
-// Returns the width of each vertex: the largest distance from the planes of adjacent faces, mm. CAD
-// readers take points within this distance for the vertex.
-std::vector<double> width_of_corners(const Part& part) {
-    std::vector<double> width(part.vertices.size(), 0.0);
-    for (const Face& face : part.faces) {
-        if (!is_plane(face)) continue;
-        for (const EdgeUse& use : uses_of(face)) {
-            const Edge& edge = part.edges[use.edge];
-            for (const std::uint32_t v : {edge.from, edge.to})
-                width[v] =
-                    std::max(width[v], std::abs(distance(face.surface.form, part.vertices[v])));
-        }
-    }
-    return width;
-}
-
 // True if the region inside a loop of straight edges is narrower than `corners` times the largest
 // width of a corner of the loop. The width of the region is its area over half its perimeter.
 bool has_no_width(const Part& part, const Plane& plane, const Loop& loop,
@@ -65,7 +49,7 @@ bool has_no_width(const Part& part, const Plane& plane, const Loop& loop,
 // Returns the planar faces that CAD readers lose because the width of a corner exceeds the width of
 // the face or of a hole.
 std::vector<std::uint32_t> planes_of_no_width(const Part& part) {
-    const std::vector<double> width_of = width_of_corners(part);
+    const std::vector<double> width_of = reader_widths(part).corners;
     std::vector<std::uint32_t> found;
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         const auto* plane = std::get_if<Plane>(&part.faces[f].surface.form);

@@ -169,8 +169,8 @@ void refine_splines(Part& part) {
         before[e] = std::exchange(part.edges[e].curve, std::move(*finer));
         changed.insert({f, g});
     }
-    // Restores the old curves of faces with faults: a finer edge may cross another edge, but only near
-    // a corner that is off the curve.
+    // Restores the old curves of faces with faults: a finer edge may cross another edge, but only
+    // near a corner that is off the curve.
     while (!changed.empty()) {
         const std::uint32_t f = *changed.begin();
         changed.erase(changed.begin());

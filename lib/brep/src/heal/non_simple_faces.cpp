@@ -27,6 +27,7 @@ public:
     TouchingCorners(Part& part, double near_mm)
         : part_(part),
           near_(near_mm),
+          widths_(reader_widths(part)),
           is_flat_edge_(part.edges.size(), true),
           is_flat_(flat_vertices(part)) {
         for (const Face& face : part.faces) {
@@ -81,8 +82,9 @@ private:
             if (!is_flat_edge_[use.edge]) continue;
             const Edge& edge = part_.edges[use.edge];
             const auto [from, to] = std::minmax({place(edge.from), place(edge.to)});
-            const auto first = std::ranges::lower_bound(corners, from - near_, {}, place);
-            for (auto v = first; v != corners.end() && place(*v) <= to + near_; ++v)
+            const double most = std::max(near_, kFlat);
+            const auto first = std::ranges::lower_bound(corners, from - most, {}, place);
+            for (auto v = first; v != corners.end() && place(*v) <= to + most; ++v)
                 join_to_edge(*v, use.edge);
         }
     }
@@ -110,7 +112,8 @@ private:
         if (v == edge.from || v == edge.to || norm(p - from) <= near_ || norm(p - to) <= near_)
             return;
         const double t = dot(p - from, along) / dot(along, along);
-        if (t <= 0.0 || t >= 1.0 || norm(p - from - t * along) > near_) return;
+        const double wide = std::min(kFlat, widths_.corners[v] + widths_.edges[number]);
+        if (t <= 0.0 || t >= 1.0 || norm(p - from - t * along) > std::max(near_, wide)) return;
         auto& on = points_on_edge_[number];
         if (std::ranges::find(on, current(v), [&](const auto& at) { return current(at.second); }) ==
             on.end())
@@ -185,6 +188,7 @@ private:
 
     Part& part_;
     double near_;
+    ReaderWidths widths_;
     // True for edges and vertices at which only planes and lines meet.
     std::vector<bool> is_flat_edge_, is_flat_;
     std::map<std::uint32_t, std::uint32_t> merged_into_;

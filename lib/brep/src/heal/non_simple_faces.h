@@ -10,7 +10,8 @@
 
 namespace ncsim::brep {
 
-/// Joins corners of planar faces that touch the same face within `near_mm`: divides a straight edge
+/// Joins corners of planar faces that touch the same face within `near_mm`, or
+/// within the widths of corner and edge (reader_widths(), at most 1e-4 mm): divides a straight edge
 /// at a corner that lies on the edge, and merges two corners by moving a corner to the second.
 /// Divides only edges between planes, and moves only corners at which planes and lines alone meet.
 /// Only `faces` are examined.

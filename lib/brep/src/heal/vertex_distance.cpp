@@ -3,6 +3,7 @@
 
 #include "ncsim/brep/frames.h"
 
+#include "geometry/newton.h"
 #include "geometry/no_index.h"
 #include "geometry/tolerances.h"
 #include "heal/degenerate_planes.h"
@@ -59,20 +60,23 @@ public:
     // True if planes and lines alone meet at both ends of the edge.
     bool is_flat(const Edge& edge) const { return is_flat_[edge.from] && is_flat_[edge.to]; }
 
-    // Contracts the edge to either end. False if the edge stays.
-    bool contract(std::uint32_t number) {
+    // Contracts the edge to either end. Vertices move by at most twice `least_mm`. False if the
+    // edge stays.
+    bool contract(std::uint32_t number, double least_mm) {
         const Edge edge = part_.edges[number];
-        return contract(number, edge.from, edge.to) || contract(number, edge.to, edge.from);
+        return contract(number, edge.from, edge.to, least_mm) ||
+               contract(number, edge.to, edge.from, least_mm);
     }
 
 private:
     // Contracts the edge to its end `kept`. False if the edge stays: the link condition is not met,
-    // or vertices would move by more than 2 kLeast.
-    bool contract(std::uint32_t number, std::uint32_t kept, std::uint32_t removed) {
+    // or vertices would move by more than twice `least_mm`.
+    bool contract(std::uint32_t number, std::uint32_t kept, std::uint32_t removed,
+                  double least_mm) {
         const Edge short_edge = part_.edges[number];
         if (kept == removed || !is_flat(short_edge)) return false;
         const double radius = radius_[removed] + length_of_chord(part_, short_edge);
-        if (radius > 2.0 * kLeast) return false;
+        if (radius > 2.0 * least_mm) return false;
         const Numbers sides = common(faces_at_[kept], faces_at_[removed]);
         if (sides.size() != 2) return false;
         Numbers tips;
@@ -293,20 +297,43 @@ void drop_empty(Part& part, Numbers& original) {
     original.resize(count);
 }
 
-// Contracts edges shorter than kLeast, the shortest first. True if the part changed.
+// Moves corners of planes onto the adjacent planes, or nearer to all of these, by less than kFlat.
+void move_onto_planes(Part& part) {
+    const std::vector<double> widths = reader_widths(part).corners;
+    const std::vector<bool> is_flat = flat_vertices(part);
+    const std::vector<Numbers> faces = faces_at_vertices(part);
+    for (std::uint32_t v = 0; v < part.vertices.size(); ++v) {
+        if (!is_flat[v] || widths[v] <= kReaderMm) continue;
+        std::vector<const Form*> planes;
+        planes.reserve(faces[v].size());
+        for (const std::uint32_t f : faces[v])
+            planes.push_back(&part.faces[f].surface.form);
+        Vec3 p = part.vertices[v];
+        if (solve(planes, p) < widths[v] && norm(p - part.vertices[v]) < kFlat)
+            part.vertices[v] = p;
+    }
+}
+
+// Contracts edges that are shorter than kLeast or that CAD readers lose, the shortest first. True
+// if the part changed.
 bool contract_short_edges(Part& part) {
+    // Corners of polyhedra are off their planes by at most kFlat. Corners that are farther off move
+    // by less than a quarter of the length that is lost.
+    std::vector<double> least = reader_lengths(part);
     std::vector<std::pair<double, std::uint32_t>> low;
     for (std::uint32_t e = 0; e < part.edges.size(); ++e) {
+        least[e] = std::max(kLeast, std::min(least[e], std::max(kFlat, 0.25 * least[e])));
         const double length = length_of_chord(part, part.edges[e]);
-        if (length < kLeast) low.emplace_back(length, e);
+        if (length < least[e]) low.emplace_back(length, e);
     }
     if (low.empty()) return false;
     std::sort(low.begin(), low.end());
     Contraction contraction(part);
     bool any = false;
     // An edge may meet the link condition after adjacent edges have been contracted.
-    while (std::erase_if(low, [&](const auto& edge) { return contraction.contract(edge.second); }) >
-           0)
+    while (std::erase_if(low, [&](const auto& edge) {
+               return contraction.contract(edge.second, least[edge.second]);
+           }) > 0)
         any = true;
     return any;
 }
@@ -423,7 +450,9 @@ std::vector<std::uint32_t> enforce_min_vertex_distance(Part& part, bool* is_soun
         remove_spikes(part);
         drop_empty(part, original);
         Pinholes(part).close();
-        contract_short_edges(part);
+        move_onto_planes(part);
+        while (contract_short_edges(part)) {
+        }
         remove_spikes(part);
         drop_empty(part, original);
         lengthen_short_edges(part);

@@ -12,13 +12,15 @@ namespace ncsim::brep {
 
 /// Enforces least distances where planes and lines alone meet. CAD readers take points nearer than
 /// 1e-7 mm for a single point, and report that the surface is open there.
-/// - Edges shorter than 1e-5 mm are collapsed if the topology stays. Among the remaining edges,
+/// - Corners that are off their planes move onto the planes, or nearer, by less than 1e-4 mm.
+/// - Edges shorter than 1e-5 mm, or so short that CAD readers lose them (reader_lengths()), are
+///   collapsed if the topology stays. Among the remaining edges,
 ///   edges shorter than 3e-7 mm become 1e-5 mm long.
 /// - Holes smaller than 1e-5 mm are closed. Spikes (spikes.h) and pairs of faces with the same
 ///   edges are erased.
 /// - Planar faces that touch themselves are split, because CAD readers do not always split these
-///   faces correctly: edges are divided at corners of the same face within 1e-5 mm, and loops that
-///   return to a corner are split (non_simple_faces.h).
+///   faces correctly: edges are divided at corners of the same face within 1e-5 mm or the widths of
+///   both, and loops that return to a corner are split (non_simple_faces.h).
 /// - Faces of degenerate_planes() are split in the same way, within 1e-4 mm. Edges of faces that
 ///   are still degenerate are collapsed even if the topology changes: edges shorter than 1.5e-5 mm;
 ///   if there are none, edges shorter than 3e-5 mm, then 1e-4 mm. Then all steps are repeated, at

@@ -434,6 +434,24 @@ void mark_facets(Part& part, const std::map<cda::Origin, SweptSurfaces>& sources
     }
 }
 
+// True if readers lose an edge, because facets are farther off the adjacent surfaces than the edge
+// is long.
+bool has_lost_edges(const Part& part) {
+    const std::vector<double> least = reader_lengths(part);
+    for (std::size_t e = 0; e < least.size(); ++e) {
+        if (is_straight(part.edges[e]) && length_of_chord(part, part.edges[e]) < least[e])
+            return true;
+    }
+    return false;
+}
+
+// True if a part that consists mostly of facets is better than a part of `facets` facets alone: it
+// has fewer faces, and at most seven eighths if readers lose an edge.
+bool is_better(const Part& part, std::size_t facets) {
+    const std::size_t most = has_lost_edges(part) ? facets - facets / 8 : facets;
+    return part.faces.size() <= most;
+}
+
 bool is_mostly_facets(const Part& part) {
     const auto facets = std::ranges::count_if(part.faces, &Face::is_facet);
     return 2 * static_cast<std::size_t>(facets) > part.faces.size();
@@ -463,7 +481,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, SweptSurf
         const bool is_there = s < flat_shells.size() && !flat_shells[s].empty();
         // Facets of different motions stay separate for recognition; joined, they may be fewer than
         // the faces of the result.
-        if (part && (!is_there || part->faces.size() <= flat_shells[s].size()))
+        if (part && (!is_there || is_better(*part, flat_shells[s].size())))
             return append(result.part, *part);
         ++result.shells_kept;
         FlatPart alone = flat_part([&](double times) {

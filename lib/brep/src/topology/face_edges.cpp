@@ -3,6 +3,7 @@
 
 #include "geometry/no_index.h"
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -56,6 +57,37 @@ std::vector<bool> flat_vertices(const Part& part) {
         }
     }
     return is_flat;
+}
+
+ReaderWidths reader_widths(const Part& part) {
+    ReaderWidths widths{std::vector<double>(part.edges.size(), 0.0),
+                        std::vector<double>(part.vertices.size(), 0.0)};
+    for (const Face& face : part.faces) {
+        for (const EdgeUse& use : uses_of(face)) {
+            const Edge& edge = part.edges[use.edge];
+            if (!is_straight(edge)) continue;
+            const Vec3 from = part.vertices[edge.from], to = part.vertices[edge.to];
+            double& width = widths.edges[use.edge];
+            for (const Vec3 p : {from, to, 0.5 * (from + to)})
+                width = std::max(width, std::abs(distance(face.surface.form, p)));
+            for (const std::uint32_t v : {edge.from, edge.to})
+                widths.corners[v] = std::max(widths.corners[v], width);
+        }
+    }
+    return widths;
+}
+
+std::vector<double> reader_lengths(const Part& part) {
+    const ReaderWidths widths = reader_widths(part);
+    std::vector<double> lengths(part.edges.size(), 0.0);
+    for (const Face& face : part.faces) {
+        for (const EdgeUse& use : uses_of(face)) {
+            const Edge& edge = part.edges[use.edge];
+            lengths[use.edge] =
+                widths.corners[edge.from] + widths.corners[edge.to] + 2.0 * widths.edges[use.edge];
+        }
+    }
+    return lengths;
 }
 
 void erase_uses(std::vector<Loop>& loops, UsePlace a, UsePlace b) {

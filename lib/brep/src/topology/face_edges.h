@@ -75,6 +75,17 @@ std::vector<Numbers> faces_at_vertices(const Part& part);
 /// True for each vertex at which only planes and lines meet.
 std::vector<bool> flat_vertices(const Part& part);
 
+/// Widths that readers give to straight edges and their ends, mm: an edge is as wide as it is off
+/// the adjacent faces, a corner as wide as its widest edge.
+struct ReaderWidths {
+    std::vector<double> edges, corners;
+};
+ReaderWidths reader_widths(const Part& part);
+
+/// Returns the length of each edge up to which readers lose the edge between its ends, mm: the
+/// widths of both ends, and twice the width of the edge.
+std::vector<double> reader_lengths(const Part& part);
+
 /// Place of a use: loop of the face, use of the loop.
 using UsePlace = std::pair<std::size_t, std::size_t>;
 

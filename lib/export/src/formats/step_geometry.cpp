@@ -18,6 +18,9 @@ namespace ncsim::exporter {
 
 namespace {
 
+// Points that are off a plane by less, mm, lie on it but for the rounding of doubles.
+constexpr double kRounding = 1e-9;
+
 struct Knots {
     Knots(const std::vector<double>& knots, int degree) {
         const std::string end = std::to_string(degree + 1);
@@ -188,11 +191,15 @@ const StepGeometry::Surface& StepGeometry::parameters_of(std::uint32_t number) {
 Entity StepGeometry::surface_of(const brep::Face& face) {
     const brep::Form& any = face.surface.form;
     if (std::holds_alternative<brep::Plane>(any)) {
-        // The origin of the plane is the first corner of the outline.
+        // The origin of the plane is the first corner of the outline, unless that is off the plane.
         const brep::EdgeUse& use = face.loops.front().front();
         const brep::Edge& e = part_.edges[use.edge];
-        const Entity corner = vertex(use.is_forward ? e.from : e.to).point;
-        return add("PLANE('',{})", {placement(corner, face.frame.axis, face.frame.x)});
+        const std::uint32_t corner = use.is_forward ? e.from : e.to;
+        const double height = brep::distance(any, part_.vertices[corner]);
+        const Entity origin = std::abs(height) < kRounding
+                                  ? vertex(corner).point
+                                  : point(part_.vertices[corner] - height * face.frame.axis);
+        return add("PLANE('',{})", {placement(origin, face.frame.axis, face.frame.x)});
     }
     if (const auto* const form = std::get_if<brep::Cylinder>(&any))
         return add("CYLINDRICAL_SURFACE('',{},{})", {place(face.frame), form->radius});
