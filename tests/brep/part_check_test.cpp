@@ -414,25 +414,28 @@ TEST(Apart, MovesCornersOntoTheirPlanes) {
     EXPECT_NEAR(volume(part), 5 * 10 * (10 + 5e-5), 1e-9);
 }
 
-// A wall of 2e-5 mm ends at 3 degrees to a wall whose plane is 2.5e-5 mm off the common corner.
-// Readers give this corner a width of 2.5e-5 mm, in which they lose the narrow wall.
-TEST(Apart, EdgesShorterThanTheirCornersAreWideArePoints) {
-    const double length = 2e-5;
-    Part part = post({{0, 0}, {10, 0}, {10, 10}, {10 - length, 10 + 0.05 * length}, {0, 10}});
-    move_wall(part, 3, 2.5e-5);
+// Returns a post with a wall of 4e-5 mm between two walls at 3 degrees to it (walls 2 and 4).
+Part post_with_short_edge() {
+    return post({{0, 0}, {10, 0}, {10, 10}, {5 + 4e-5, 10.25}, {5, 10.25}, {0, 10}});
+}
+
+// The planes of both walls are 2.5e-5 mm off the ends of the edge. Readers give both ends this
+// width, and lose the edge between them.
+TEST(Apart, EdgesShorterThanTheirEndsAreWideArePoints) {
+    Part part = post_with_short_edge();
+    move_wall(part, 2, 2.5e-5);
+    move_wall(part, 4, 2.5e-5);
     enforce_min_vertex_distance(part);
-    EXPECT_EQ(part.faces.size(), 6U);
+    EXPECT_EQ(part.faces.size(), 7U);
     EXPECT_GT(shortest_edge(part), 4.9);
     EXPECT_EQ(text_of(check_part(part, 1e-4)), "");
 }
 
-// The same wall between corners on all of their planes is wide enough.
 TEST(Apart, EdgesOfCornersWithoutWidthStay) {
-    const double length = 2e-5;
-    Part part = post({{0, 0}, {10, 0}, {10, 10}, {10 - length, 10 + 0.05 * length}, {0, 10}});
+    Part part = post_with_short_edge();
     enforce_min_vertex_distance(part);
-    EXPECT_EQ(part.faces.size(), 7U);
-    EXPECT_NEAR(shortest_edge(part), length, 0.01 * length);
+    EXPECT_EQ(part.faces.size(), 8U);
+    EXPECT_NEAR(shortest_edge(part), 4e-5, 1e-9);
 }
 
 // A spur of 1e-7 mm at 3 degrees to a wall. A longer spur would be nearer to the wall than readers
