@@ -10,22 +10,24 @@
 namespace ncsim::simulation {
 namespace {
 
-// Facets of the ring remain in cuts with finer tools alone. The zigzag moves, 3 µm off a line, are
-// merged in the draft but not in cuts with a quarter of the tolerance.
+// Two circular grooves leave a wall of 0.03 mm, thinner than the chords of the first cut are off:
+// its facets remain in cuts with finer tools alone. The zigzag moves, 3 µm off a line, are merged
+// in the draft but not in cuts with a quarter of the tolerance.
 TEST(RefinedSolid, JoinsFewerMovesInFinerCuts) {
     Plan plan;
-    plan.job =
-        setup::job_of({"ring.nc",
-                       "G17 G21 G90 G94 G54\nG0 Z0.25\nX-0.5 Y0.\nZ0.1\nG01 Z0. F5.\n"
-                       "G02 X0. Y0.5 I0.5 J0. F2.5\nX0.5 Y0. I0. J-0.5\nX0. Y-0.5 I-0.5 J0.\n"
-                       "X-0.5 Y0. I0. J0.5\nG01 Z0.1 F5.\nG00 X0. Y0. Z0.25\nZ1.5\nG01 X-0.4 Y0.7\n"
-                       "X-0.2 Y0.703\nX0. Y0.7\nX0.2 Y0.703\nX0.4 Y0.7\nG00 Z1.6\n"});
+    plan.job = setup::job_of({"ring.nc",
+                              "(T1 D=1. CR=0. - flat end mill)\n(STOCK/BLOCK,40.,30.,5.,0.,0.,5.)\n"
+                              "G17 G21 G90 G94 G54\nT1 M6\nS5000 M3 F300\n"
+                              "G0 X10 Y15 Z1\nG1 Z-1\nG3 X10 Y15 I5 J0\nG0 Z1\n"
+                              "X8.97\nG1 Z-1\nG3 X8.97 Y15 I6.03 J0\nG0 Z1\n"
+                              "X25 Y5\nG1 Z-1\nX26 Y5.003\nX27 Y5\nX28 Y5.003\nX29 Y5\nG0 Z1\n"});
     plan.draft = true;
     plan.keep_boundary = true;
     plan.threads = 1;
     const Survey seen = survey(plan);
     ASSERT_TRUE(seen.is_ready());
     coarsen(plan, seen, true, true);
+    plan.tolerance = 0.05;
     Verification nothing;
     nothing.keep_cuts = true;
     const Simulation milled = simulate(plan, seen, nothing, {});
