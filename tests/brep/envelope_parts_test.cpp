@@ -266,6 +266,25 @@ TEST(Recognise, KnowsTurnsOfHelicesAroundCores) {
     }
 }
 
+// A ball leaves a full circle along its tangent. Both grooves are tangent in a circle of the ball,
+// and the ridge between them begins in the lowest point of this circle. In the second case the path
+// comes from the line, so that the ball stood next to the ridge, too.
+TEST(Recognise, KnowsBallsThatLeaveCirclesAlongTangents) {
+    for (const double reach : {5.0, 10.0}) {
+        for (const char* start : {"", "G1 Y35\nG1 Y40\n"}) {
+            SCOPED_TRACE(testing::Message() << reach << ", " << start);
+            const Golden golden{"tangent",
+                                fmt::format("T3 M6\nG0 X60 Y40 Z5\nG1 Z-2\n{}"
+                                            "G3 X60 Y40 I{} J0\nG1 Y50\nG0 Z5\n",
+                                            start, -reach),
+                                {},
+                                0.0};
+            for (const double tolerance : {0.05, 0.02})
+                EXPECT_EQ(make(golden, tolerance).solid.facets_kept, 0U) << tolerance;
+        }
+    }
+}
+
 // In drafts, arcs have few chords, and no facet shows a flat lune. Its depth is reported all the
 // same; a deep lune stays.
 TEST(Recognise, ReportsLunesWithoutFacets) {

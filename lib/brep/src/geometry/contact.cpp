@@ -299,4 +299,12 @@ std::vector<Form> level_tangency_planes(std::span<const Form* const> forms) {
     return planes;
 }
 
+std::optional<Form> tangency_surface_at(const Form& a, const Form& b, Vec3 p, Vec3 q) {
+    auto touching = tangency_surface(a, b);
+    const double most = std::sqrt(8.0 * std::max(radius_of(a), radius_of(b)) * kTangencyGapMm);
+    const auto is_there = [&](Vec3 at) { return std::abs(distance(*touching, at)) <= most; };
+    if (touching && !(is_there(p) && is_there(q))) touching.reset();
+    return touching;
+}
+
 }  // namespace ncsim::brep

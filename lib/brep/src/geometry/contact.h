@@ -35,4 +35,9 @@ std::vector<Form> level_tangency_planes(std::span<const Form* const> forms);
 /// `near_to`. No value if the curve must be a spline.
 std::optional<Curve> intersection_curve(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 near_to);
 
+/// Returns tangency_surface() if the surfaces are tangent at `p` and `q`, within the distance at
+/// which they are apart by the rounding of programs; surfaces may also cross far from their
+/// contact.
+std::optional<Form> tangency_surface_at(const Form& a, const Form& b, Vec3 p, Vec3 q);
+
 }  // namespace ncsim::brep

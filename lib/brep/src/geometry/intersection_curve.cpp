@@ -216,8 +216,8 @@ std::optional<Curve> intersection_curve(const Form& a, const Form& b, Vec3 p, Ve
     const bool is_first_plane = std::holds_alternative<Plane>(a);
     const bool is_second_plane = std::holds_alternative<Plane>(b);
     if (is_first_plane && is_second_plane) return Line{};
-    if (const auto touching = tangency_surface(a, b)) {
-        if (is_ruled(a) && is_ruled(b)) return Line{};
+    if (is_ruled(a) && is_ruled(b) && tangency_surface(a, b)) return Line{};
+    if (const auto touching = tangency_surface_at(a, b, p, q)) {
         for (const Form* form : {&a, &b}) {
             if (const auto* pipe = std::get_if<Cylinder>(form))
                 return circle_about({pipe->origin, pipe->axis}, p, a, b);

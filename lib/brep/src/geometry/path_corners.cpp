@@ -188,7 +188,9 @@ std::vector<Vec3> common_points(const CentrePath& circle, const CentrePath& line
     }
     const Vec3 foot = line.centre + dot(circle.centre - line.centre, line.axis) * line.axis;
     const double off = norm(foot - circle.centre);
-    if (!is_near(height, 0.0) || off >= circle.reach) return {};
+    if (!is_near(height, 0.0)) return {};
+    if (is_near(off, circle.reach)) return {foot};
+    if (off >= circle.reach) return {};
     const double half = std::sqrt(circle.reach * circle.reach - off * off);
     return {foot + half * line.axis, foot - half * line.axis};
 }
@@ -201,8 +203,9 @@ std::vector<Vec3> common_points_of_circles(const CentrePath& a, const CentrePath
         d < kLeastAxisDistance)
         return {};
     const double along = 0.5 * (d + (a.reach - b.reach) * (a.reach + b.reach) / d);
-    if (std::abs(along) >= a.reach) return {};
     const Vec3 ahead = (1.0 / d) * between, side = cross(a.axis, ahead);
+    if (is_near(std::abs(along), a.reach)) return {a.centre + along * ahead};
+    if (std::abs(along) >= a.reach) return {};
     const double half = std::sqrt(a.reach * a.reach - along * along);
     return {a.centre + along * ahead + half * side, a.centre + along * ahead - half * side};
 }
@@ -219,8 +222,9 @@ std::optional<Vec3> crossing_of_grooves(const Form& a, const Form& b, Vec3 p) {
                                                            : common_points_of_circles(*one, *other);
     std::optional<Vec3> nearest;
     for (const Vec3& centre : common) {
-        const Vec3 out = cross(one->direction_at(centre), other->direction_at(centre));
-        if (norm(out) < 10.0 * kLeastSine) continue;
+        // Paths that touch lie in one plane, nearly; the grooves part in the normal of this plane.
+        Vec3 out = cross(one->direction_at(centre), other->direction_at(centre));
+        if (norm(out) < 10.0 * kLeastSine) out = one->reach > 0.0 ? one->axis : other->axis;
         for (const double sign : {-1.0, 1.0}) {
             const Vec3 at = centre + (sign * one->ball) * normalized(out);
             if (!nearest || norm(at - p) < norm(*nearest - p)) nearest = at;

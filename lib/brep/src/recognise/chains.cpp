@@ -497,7 +497,7 @@ void Chains::solve_chain(Chain& chain) {
                 points[i] = points[i] - distance(plane, points[i]) * plane.normal;
         }
         // If the surfaces are tangent, the tangency surface determines the curve.
-        const std::optional<Form> touching = tangency_surface(a, b);
+        const std::optional<Form> touching = tangency_surface_at(a, b, from.at, to.at);
         const Form& second = touching ? *touching : b;
         const bool is_moved =
             std::holds_alternative<Coil>(a) || std::holds_alternative<Envelope>(a);

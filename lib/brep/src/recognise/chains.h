@@ -94,10 +94,14 @@ private:
     /// polylines `lines`, must not exceed the distance between corners of polygons and true
     /// corners. Returns false if there is no such point.
     bool solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines = {}) const;
+    /// Solves the vertex on the curves of tangency that are nearer than `near_tangency`, mm.
+    bool solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines,
+                      double near_tangency) const;
     bool solve_corner(Vertex& v);
     bool is_above(std::uint32_t ramp, Vec3 p) const;
     void move_to_crossing(Vertex& v, Vec3 start, const std::vector<std::uint32_t>& numbers) const;
     void move_to_ellipse(Vertex& v, Vec3 start) const;
+    void move_to_parting(Vertex& v, Vec3 start, const std::vector<std::uint32_t>& numbers) const;
     bool has_bend(std::uint32_t g, Vec3 corner, Vec3 near) const;
     std::optional<Vec3> bend_at(const Vertex& v) const;
     /// Chain as seen from a vertex, leading outwards.

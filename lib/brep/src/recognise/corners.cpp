@@ -166,9 +166,17 @@ std::optional<Vec3> Chains::bend_at(const Vertex& v) const {
 }
 
 bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines) const {
-    const Vec3 start = v.at;
     if (std::ranges::any_of(v.groups, [&](std::uint32_t g) { return groups_.is_facet(g); }))
         return solve_next_to_facets(v);
+    // Surfaces that are tangent in one place may cross in another. A vertex that does not lie on
+    // the curve of tangency is usually farther from the curve than two facets are wide.
+    const double near = reach(v.groups);
+    return solve_vertex(v, lines, near) || solve_vertex(v, lines, 0.4 * near);
+}
+
+bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines,
+                          double near_tangency) const {
+    const Vec3 start = v.at;
     std::vector<std::uint32_t> numbers;
     bool all_flat = true;
     for (const std::uint32_t g : v.groups) {
@@ -189,7 +197,8 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines
     std::vector<Form> touching;
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t j = i + 1; j < count; ++j) {
-            if (auto t = tangency_surface(*forms[i], *forms[j])) {
+            if (auto t = tangency_surface(*forms[i], *forms[j]);
+                t && std::abs(distance(*t, start)) <= near_tangency) {
                 touching.push_back(*t);
                 v.is_tangency = true;
             }
@@ -212,6 +221,7 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& lines
                 v.at = v.at - distance(*plane, v.at) * plane->normal;
         }
     }
+    if (touching.size() == 3 && count == 3) move_to_parting(v, start, numbers);
     move_to_ellipse(v, start);
     move_to_crossing(v, start, numbers);
     v.miss = largest_distance(numbers, v.at);
@@ -295,6 +305,22 @@ void Chains::move_to_ellipse(Vertex& v, Vec3 start) const {
             std::abs(distance(other, p)) > kTangencyGapMm)
             continue;
         v.at = p;
+        return;
+    }
+}
+
+// Moves a vertex of three surfaces that are tangent in a common circle to the point of the circle
+// in which two grooves part. A ball that leaves a full circle along a line, or along another arc,
+// goes on tangentially, and the ridge between both grooves begins in this point.
+void Chains::move_to_parting(Vertex& v, Vec3 start,
+                             const std::vector<std::uint32_t>& numbers) const {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const auto point = crossing_of_grooves(mesh_.surface(numbers[i]).form,
+                                               mesh_.surface(numbers[(i + 1) % 3]).form, start);
+        if (!point || norm(*point - start) > reach(v.groups) ||
+            largest_distance(numbers, *point) > kTangencyGapMm)
+            continue;
+        v.at = *point;
         return;
     }
 }
