@@ -285,6 +285,27 @@ TEST(Recognise, KnowsBallsThatLeaveCirclesAlongTangents) {
     }
 }
 
+// A ball enters and leaves a closed contour along arcs that touch it: a circle, and a rectangle
+// with rounded corners. The outer sides of contour and arcs touch in a line of no width.
+TEST(Recognise, KnowsBallsThatEnterContoursOnArcs) {
+    const Golden circle{"circle",
+                        "T3 M6\nG0 X40 Y25 Z5\nG1 Z-2\nG3 X45 Y30 I0 J5\nG3 X45 Y30 I-15 J0\n"
+                        "G3 X40 Y35 I-5 J0\nG0 Z5\n",
+                        {},
+                        0.0};
+    const Golden rectangle{"rectangle",
+                           "T3 M6\nG0 X35 Y15 Z5\nG1 Z-2\nG3 X40 Y10 I5 J0\nG1 X65\n"
+                           "G3 X70 Y15 I0 J5\nG1 Y45\nG3 X65 Y50 I-5 J0\nG1 X15\n"
+                           "G3 X10 Y45 I0 J-5\nG1 Y15\nG3 X15 Y10 I5 J0\nG1 X40\n"
+                           "G3 X45 Y15 I0 J5\nG0 Z5\n",
+                           {},
+                           0.0};
+    for (const double tolerance : {0.05, 0.02}) {
+        EXPECT_EQ(kinds_of(make(circle, tolerance).solid.part), (Kinds{7, 0, 0, 2, 2}));
+        EXPECT_EQ(kinds_of(make(rectangle, tolerance).solid.part), (Kinds{7, 5, 0, 2, 5}));
+    }
+}
+
 // In drafts, arcs have few chords, and no facet shows a flat lune. Its depth is reported all the
 // same; a deep lune stays.
 TEST(Recognise, ReportsLunesWithoutFacets) {

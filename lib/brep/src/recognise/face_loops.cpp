@@ -154,18 +154,32 @@ bool FaceLoops::close_slit(std::uint32_t group, std::size_t loop) {
         const Chain& chain = chains_.all()[use.edge];
         return !chain.has_failed && std::holds_alternative<Line>(chain.curve);
     };
+    // True if both uses run along one circle, in opposite directions.
+    const auto are_one_arc = [&](const EdgeUse& one, const EdgeUse& other) {
+        const Chain &a = chains_.all()[one.edge], &b = chains_.all()[other.edge];
+        const auto* first = std::get_if<Circle>(&a.curve);
+        const auto* second = std::get_if<Circle>(&b.curve);
+        if (a.has_failed || b.has_failed || a.is_closed || b.is_closed || !first || !second)
+            return false;
+        const Vec3 sum = (one.is_forward ? 1.0 : -1.0) * first->axis +
+                         (other.is_forward ? 1.0 : -1.0) * second->axis;
+        return norm(sum) <= kParallelAngle && norm(first->centre - second->centre) <= kReaderMm &&
+               std::abs(first->radius - second->radius) <= kReaderMm;
+    };
     const Loop& uses = loops_[group][loop];
     const std::size_t size = uses.size();
     for (std::size_t i = 0; i < size && size > 1; ++i) {
         const std::size_t next = (i + 1) % size;
         const EdgeUse forth = uses[i], back = uses[next];
-        if (forth.edge == back.edge || !is_straight(forth) || !is_straight(back)) continue;
+        const bool are_straight = is_straight(forth) && is_straight(back);
+        if (forth.edge == back.edge || (!are_straight && !are_one_arc(forth, back))) continue;
         const std::uint32_t start = begin_of(forth), far = end_of(forth), end = end_of(back);
         if (same_.find(far) != same_.find(begin_of(back))) continue;
         const std::uint32_t one = opposite_group_of(forth), two = opposite_group_of(back);
         if (one == group || two == group || groups_.is_facet(one) || groups_.is_facet(two))
             continue;
         const bool is_whole = norm(at(start) - at(end)) <= kReaderMm;
+        if (!is_whole && !are_straight) continue;
         const bool is_longer = !is_whole && lies_between(at(end), at(start), at(far));
         const bool is_shorter = !is_whole && lies_between(at(start), at(far), at(end));
         if (!is_whole && !is_longer && !is_shorter) continue;
