@@ -196,19 +196,19 @@ TEST(Run, NamesTheVolumeOfTheSolidAndOfThePolyhedron) {
 TEST(Run, CutsSmallPartsAgainThoughItDidNotHelpOnce) {
     Folder folder;
     folder.write("ring.nc",
-                 "G17 G21 G90 G94 G54\nG0 Z0.25\nX-0.5 Y0.\nZ0.1\nG01 Z0. F5.\n"
-                 "G02 X0. Y0.5 I0.5 J0. F2.5\nX0.5 Y0. I0. J-0.5\nX0. Y-0.5 I-0.5 J0.\n"
-                 "X-0.5 Y0. I0. J0.5\nG01 Z0.1 F5.\nG00 X0. Y0. Z0.25\n");
+                 "(T1 D=0.5 CR=0. - flat end mill)\n(STOCK/BLOCK,20.,20.,3.,0.,0.,3.)\n"
+                 "G17 G21 G90 G94 G54\nT1 M6\nS5000 M3 F300\nG0 X9 Y10 Z1\nG1 Z-1\n"
+                 "G3 X9 Y10 I1 J0\nG0 Z1\nX8.47\nG1 Z-1\nG3 X8.47 Y10 I1.53 J0\nG0 Z1\n");
     const auto run = [&](const std::string& times) {
-        return folder.run({"run", "ring.nc", "--draft", "--tolerance", "0.005", "--tool-tolerance",
+        return folder.run({"run", "ring.nc", "--draft", "--tolerance", "0.05", "--tool-tolerance",
                            "0.05", "--step", "a.step", "--step-strict", "--step-refine", times});
     };
     const Ran once = run("1"), often = run("2");
     EXPECT_EQ(once.exit_code, 2) << once.out;
     EXPECT_EQ(often.exit_code, 0) << often.err;
-    EXPECT_TRUE(contains(often.out, "14 faces: 10 planes, 3 cylinders, 1 extrusion")) << often.out;
+    EXPECT_TRUE(contains(often.out, "14 faces: 10 planes, 4 cylinders")) << often.out;
     const Ran within_budget =
-        folder.run({"run", "ring.nc", "--draft", "--tolerance", "0.005", "--tool-tolerance", "0.05",
+        folder.run({"run", "ring.nc", "--draft", "--tolerance", "0.05", "--tool-tolerance", "0.05",
                     "--step", "a.step", "--step-strict"});
     EXPECT_EQ(within_budget.exit_code, 0) << within_budget.out;
 }

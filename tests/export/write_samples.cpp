@@ -39,7 +39,7 @@ std::ofstream create(const std::filesystem::path& path) {
 }
 
 void write(const std::filesystem::path& stem, const cda::Boundary& boundary,
-           const mesh::Provenance& provenance, int faces, int solids) {
+           const mesh::Provenance& provenance, int faces, int solids, double moved_mm = 0.0) {
     const auto file = [&](const char* extension) {
         return create(std::filesystem::path(stem).replace_extension(extension));
     };
@@ -66,6 +66,7 @@ void write(const std::filesystem::path& stem, const cda::Boundary& boundary,
     for (const std::uint32_t line : lines)
         expect << ' ' << line;
     expect << "\nfaces " << faces << "\nsolids " << solids << '\n';
+    if (moved_mm > 0.0) expect << "moved " << moved_mm << '\n';
 }
 
 // Returns a prism with a notch that reaches the lower side and, by rounding, beyond. All faces are
@@ -190,10 +191,11 @@ void write_all(const std::filesystem::path& folder) {
     write(folder / "polytopes", test::polytope_part().boundary(),
           test::provenance_of_polytope_part(), 0, 2);
 
-    // Simplification replaces many vertices of this part.
+    // Simplification replaces many vertices of this part. In STEP files, some vertices move onto
+    // their planes by up to 1e-4 mm; in the mean over the surface, the part moves by 1e-7 mm.
     constexpr double kCoarse = 0.01;
     write(folder / "simplified", mesh::simplify(test::polytope_part().boundary(), kCoarse).boundary,
-          test::provenance_of_polytope_part(), 0, 2);
+          test::provenance_of_polytope_part(), 0, 2, 1e-7);
 
     write(folder / "notched", notched_prism(), {{{}, {5, 2}}, "notched.nc"}, 0, 1);
 

@@ -5,6 +5,7 @@
 #include "topology/face_edges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <variant>
 
