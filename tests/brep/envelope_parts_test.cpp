@@ -2,6 +2,7 @@
 //
 // Parts with envelopes, tested like golden parts. Volumes without a closed form are sums over
 // squares.
+#include "ncsim/base/angles.h"
 #include "ncsim/brep/curve.h"
 #include "ncsim/brep/measure.h"
 #include "ncsim/brep/patch.h"
@@ -303,6 +304,29 @@ TEST(Recognise, KnowsBallsThatEnterContoursOnArcs) {
     for (const double tolerance : {0.05, 0.02}) {
         EXPECT_EQ(kinds_of(make(circle, tolerance).solid.part), (Kinds{7, 0, 0, 2, 2}));
         EXPECT_EQ(kinds_of(make(rectangle, tolerance).solid.part), (Kinds{7, 5, 0, 2, 5}));
+    }
+}
+
+// The same circle at any angle, with the three decimals of programs: contour and arcs are tangent
+// within rounding only.
+TEST(Recognise, KnowsBallsThatEnterRoundedContoursOnArcs) {
+    for (const double degrees : {7.0, 45.0, 123.0}) {
+        SCOPED_TRACE(degrees);
+        const auto angle = sin_cos(degrees);
+        const auto arc = [&](double x, double y, double i, double j) {
+            return fmt::format("X{:.3f} Y{:.3f} I{:.3f} J{:.3f}\n",
+                               40 + x * angle.cos - y * angle.sin,
+                               30 + x * angle.sin + y * angle.cos, i * angle.cos - j * angle.sin,
+                               i * angle.sin + j * angle.cos);
+        };
+        const auto start = arc(5, -5, 0, 0);
+        const Golden golden{"circle",
+                            "T3 M6\nG0 " + start.substr(0, start.find(" I")) + " Z5\nG1 Z-2\nG3 " +
+                                arc(10, 0, 0, 5) + arc(10, 0, -10, 0) + arc(5, 5, -5, 0) +
+                                "G0 Z5\n",
+                            {},
+                            0.0};
+        EXPECT_EQ(kinds_of(make(golden, 0.05).solid.part), (Kinds{7, 0, 0, 2, 2}));
     }
 }
 

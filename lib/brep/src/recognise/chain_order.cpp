@@ -592,7 +592,7 @@ bool Chains::flip(std::uint32_t number, ChainsAt& at, int most) {
     const std::array<std::pair<std::uint32_t, Vertex>, 2> before{
         {{chain.from, from}, {chain.to, to}}};
     const std::array<std::array<std::uint32_t, 3>, 2> at_before{at[chain.from], at[chain.to]};
-    // Of the two chains at each end, the chain next to the moved face changes the end.
+    // At each end, one of the two adjacent chains moves to the other end.
     std::ranges::replace(at[chain.to], up, kNone);
     std::ranges::replace(at[chain.from], down, up);
     *std::ranges::find(at[chain.to], kNone) = down;

@@ -29,8 +29,7 @@ struct Chain {
     bool has_failed = false;  ///< True if the chain or an end of it has no solution.
     bool is_flipped = false;  ///< True if the chain separates other groups than its half-edges.
     Vec3 direction{};         ///< Direction at the time of the flip; zero if unknown.
-    bool is_direction_fixed =
-        false;  ///< True if tangencies of adjacent faces determine `direction`.
+    bool is_direction_fixed = false;  ///< True if tangencies of faces determine `direction`.
     /// True for a flipped chain without half-edges, between vertices that were one corner.
     bool is_inserted = false;
     /// Chain that an inserted chain precedes (`is_before`) or follows in loops.
@@ -189,8 +188,8 @@ private:
     /// surfaces and the solution on them. An edge has two splines: between both faces, and between
     /// one face and the tangency surface.
     struct CachedCorner {
-        std::vector<std::pair<std::uint32_t, std::uint32_t>>
-            surfaces;  ///< Surfaces and first facets of the groups.
+        /// Surface and first facet of each group.
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> surfaces;
         Vec3 at{};
         double miss = 0.0;
         bool is_tangency = false, is_bend_elsewhere = false, is_solved = false;

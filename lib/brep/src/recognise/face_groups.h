@@ -122,8 +122,8 @@ private:
     std::vector<std::uint32_t> group_of_;  // group of each facet
     std::vector<std::uint32_t> first_;     // first neighbour of each group, in neighbours_
     std::vector<std::pair<std::uint32_t, double>> neighbours_;
-    std::set<std::pair<std::uint32_t, std::uint32_t>>
-        walls_;  // first facet of a removed wall, and the surface it got
+    // First facets of merged walls, with the surface that each wall got.
+    std::set<std::pair<std::uint32_t, std::uint32_t>> walls_;
     double mitred_mm_ = 0.0;
 };
 
